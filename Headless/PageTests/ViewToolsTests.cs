@@ -362,9 +362,9 @@ public sealed class ViewToolsTests : BrowserTests
     {
         using var reader = PointReaders.Open(cloud);
         string[] columns = [.. s_axes, .. reader.Info.Schema.Select(a => a.Name).Except(s_axes)];
-        reader.Info.AlsoSampled = columns;
+        reader.Info.ExtraSampledAttributes = columns;
         if (!reader.BlocksAreKnown)
-            JobCoroutine.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.IndexBlocks());
         using var sampler = new WaveSampler(reader, 100_000, 1);
         JobCoroutine.RunToEnd(sampler.Run(0, null));
         using var sample = sampler.TakeSample();

@@ -154,8 +154,8 @@ sealed class BuildPlan
             Whole = new BuildPart
             {
                 CloudId = cloud.CloudId,
-                Points = json.Count("points"),
-                PointsPerChunk = json.Count("pointsPerChunk"),
+                Points = json.NonNegative("points"),
+                PointsPerChunk = json.NonNegative("pointsPerChunk"),
                 Grid = cloud.Grid,
                 Records = new RecordLayout(json.Flag("wideRecords"), new Grid3(at[0], at[1], at[2]),
                     cloud.Attributes.BytesPerPoint),

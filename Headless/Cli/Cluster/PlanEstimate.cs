@@ -55,7 +55,7 @@ sealed record PlanEstimate(double Seconds, double TaskSeconds, long MemoryBytes,
     }
 
     public static PlanEstimate Read(JsonMembers json) => new(json.Number("seconds"), json.Number("taskSeconds"),
-        json.Count("memoryBytes"), json.Count("bytesOnDisk"), json.Count("scratchBytes"));
+        json.NonNegative("memoryBytes"), json.NonNegative("bytesOnDisk"), json.NonNegative("scratchBytes"));
 
     public string Describe() => NumberFormat.Duration(Seconds) + " by one core, the longest task "
         + NumberFormat.Duration(TaskSeconds) + " in " + NumberFormat.Bytes(MemoryBytes) + " and "

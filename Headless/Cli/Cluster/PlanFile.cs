@@ -72,7 +72,7 @@ static class PlanFile
     public static GridCube ReadCube(JsonMembers json, string name) => CubeOf(json.Longs(name, 4), json, name);
 
     public static GridCube[] ReadCubes(JsonMembers json, string name) =>
-        json.Lists(name, 4).ConvertAll(numbers => CubeOf(numbers, json, name)).ToArray();
+        json.LongLists(name, 4).ConvertAll(numbers => CubeOf(numbers, json, name)).ToArray();
 
     static GridCube CubeOf(long[] numbers, JsonMembers json, string name) => numbers[3] is >= 0 and <= GridCube.MaxSideLog2
         ? new GridCube(new Grid3(numbers[0], numbers[1], numbers[2]), (int)numbers[3])

@@ -76,12 +76,13 @@ sealed class TaskMarker
         {
             m_plan = json.Hex("plan"),
             Task = json.Text("task"),
-            Points = json.Count("points"),
+            Points = json.NonNegative("points"),
             Checksum = json.Hex("checksum"),
-            OutsidePoints = json.Count("outsidePoints"),
+            OutsidePoints = json.NonNegative("outsidePoints"),
             Ranges = json.Objects("ranges").ConvertAll(r =>
-                new Range(r.Int("task"), r.Count("count"), r.Count("offset"), r.Count("bytes"), r.Hex("hash"))),
-            Objects = json.Objects("objects").ConvertAll(o => new StoredObject(o.Text("name"), o.Count("bytes"), o.Hex("hash"))),
+                new Range(r.Int("task"), r.NonNegative("count"), r.NonNegative("offset"), r.NonNegative("bytes"), r.Hex("hash"))),
+            Objects = json.Objects("objects").ConvertAll(o =>
+                new StoredObject(o.Text("name"), o.NonNegative("bytes"), o.Hex("hash"))),
         };
     }
 

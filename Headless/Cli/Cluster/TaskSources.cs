@@ -32,7 +32,7 @@ sealed class TaskSources : IDisposable
             : PointReaders.OpenSome(paths, task.Plan.Tiles, options);
         try
         {
-            task.Run.RunSteps(reader.FindBlocks());
+            task.Run.RunSteps(reader.IndexBlocks());
             var filter = task.Cloud.Filter(task.Parsed, reader);
             var result = new TaskSources(reader, filter);
             if ((filter?.Hash ?? 0) != task.Plan.FilterHash)
@@ -53,11 +53,11 @@ sealed class TaskSources : IDisposable
     {
         var tiles = m_reader as TiledReader;
         long bytes = tiles?.TileOf(tile).FileBytes ?? m_reader.Info.FileBytes;
-        if (bytes != source.Count("bytes"))
+        if (bytes != source.NonNegative("bytes"))
             throw PointCloudException.Wanted(FailureCode.BadInput, path, -1, "it was changed after it was planned: bytes",
-                source.Count("bytes"), bytes);
+                source.NonNegative("bytes"), bytes);
         var (first, count) = tiles?.BlocksOf(tile) ?? (0, m_reader.BlockCount);
-        foreach (var range in source.Lists("blocks", 3))
+        foreach (var range in source.LongLists("blocks", 3))
         {
             if (range[0] < 0 || range[0] > range[1] || range[1] > count)
                 throw source.Bad("blocks", "ranges of " + count + " blocks");

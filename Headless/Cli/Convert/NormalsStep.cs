@@ -20,9 +20,9 @@ public sealed class NormalsStep
     }
 
     public string Describe() => "normals of " + NumberFormat.Count(Points, "point") + " in " + NumberFormat.Seconds(m_seconds)
-        + (m_orientation == AddNormals.Up ? ", which point up"
-        : m_orientation == AddNormals.Scanner ? ", which point to the scanner"
-        : m_orientation == AddNormals.Source ? ", which are those of the files" : ", which are turned to the viewer");
+        + (m_orientation == NormalOrientations.Up ? ", which point up"
+        : m_orientation == NormalOrientations.Scanner ? ", which point to the scanner"
+        : m_orientation == NormalOrientations.OfSource ? ", which are those of the files" : ", which are turned to the viewer");
 
     public void WriteKeys(Utf8JsonWriter json)
     {

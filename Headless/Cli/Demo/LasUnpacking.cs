@@ -32,7 +32,7 @@ public static class LasUnpacking
 
         run.Progress.Begin("unpack");
         if (!reader.BlocksAreKnown)
-            run.RunSteps(reader.FindBlocks());
+            run.RunSteps(reader.IndexBlocks());
         using var writer = LasWriter.Create(destination, settings);
         run.RunSteps(SourceScan.Run(reader, info.Schema, new Appender(writer),
             SourceScan.SlotsFor(reader, info.Schema), run.Progress));

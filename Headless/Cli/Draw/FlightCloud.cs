@@ -24,7 +24,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
         {
             if (reader.Tree == null)
                 return AddSample(reader, stream, options, cancellation);
-            JobCoroutine.RunToEnd(TreeSource.FindTop(reader), cancellation);
+            JobCoroutine.RunToEnd(TreeSource.ReadTop(reader), cancellation);
             LookSettings.RequireStreamable(options, reader.Info.Schema, reader.Info.Path);
             var ranges = new DisplayRanges { Units = reader.Info.Crs.Units };
             using (var batch = ReadTop(reader, options.AttributesToMeasure(), cancellation))
@@ -75,7 +75,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
         SampleReader sample;
         DisplayRanges ranges;
         using (reader)
-        using (var preview = new PreviewCloud(reader, settings))
+        using (var preview = new PreviewPicture(reader, settings))
         {
             JobCoroutine.RunToEnd(preview.TakeSample(new StageProgress()), cancellation);
             JobCoroutine.RunToEnd(preview.PlanPicture(), cancellation);

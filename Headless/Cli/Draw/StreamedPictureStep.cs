@@ -12,7 +12,7 @@ public static class StreamedPictureStep
         using var stream = new StreamContext(new MemoryNodePool(PoolBytes, BankBytes));
         stream.SetClipBoxes(options.ClipBoxes);
         stream.Settings.Selection.PointBudget = budget > 0 ? budget : DrawConvertedCloud.DefaultBudget;
-        stream.Settings.UploadBytesPerFrame = BankBytes;
+        stream.Settings.MaxUploadBytesPerFrame = BankBytes;
         stream.Settings.PrefetchFrames = 0;
         using var picture = new StreamedPicture(options);
         run.Progress.Begin("select");

@@ -142,7 +142,7 @@ static class OutputNames
     }
 
     /// <summary>Empty if they cannot be read; null if unfinished and without sources.</summary>
-    static List<CloudSource>? SourcesOf(string folder, bool isFinished)
+    static List<SourceEntry>? SourcesOf(string folder, bool isFinished)
     {
         try
         {
@@ -155,16 +155,16 @@ static class OutputNames
         }
     }
 
-    static List<CloudSource> SourcesOf(PointReader reader) => reader is TiledReader tiles
+    static List<SourceEntry> SourcesOf(PointReader reader) => reader is TiledReader tiles
         ? Enumerable.Range(0, tiles.TileCount).Select(tiles.TileOf).ToList()
         : [new() { Name = reader.Info.Path, FileBytes = reader.Info.FileBytes, HeadHash = reader.Info.HeadHash }];
 
     // Octrees count their bytes while they are read.
-    static bool IsSame(CloudSource a, CloudSource b) => SourcePath.NameOf(a.Name) == SourcePath.NameOf(b.Name)
+    static bool IsSame(SourceEntry a, SourceEntry b) => SourcePath.NameOf(a.Name) == SourcePath.NameOf(b.Name)
         && (a.FileBytes == b.FileBytes || SourceFolder.IsIndex(SourcePath.NameOf(b.Name)))
         && (a.HeadHash == b.HeadHash || a.HeadHash == 0);
 
-    static string Describe(List<CloudSource> sources) => SourcePath.NameOf(sources[0].Name)
+    static string Describe(List<SourceEntry> sources) => SourcePath.NameOf(sources[0].Name)
         + (sources[0].FileBytes > 0 ? " (" + NumberFormat.Count(sources[0].FileBytes) + " bytes)" : "")
         + (sources.Count > 1 ? " and " + (sources.Count - 1) + " more" : "");
 

@@ -124,7 +124,7 @@ sealed class ViewCloud
     static WaveSampler RunSampler(PointReader reader, int max, CliRun run)
     {
         if (!reader.BlocksAreKnown)
-            run.RunSteps(reader.FindBlocks());
+            run.RunSteps(reader.IndexBlocks());
         var sampler = new WaveSampler(reader, max, 1);
         run.RunSteps(sampler.Run(0, null));
         return sampler;
@@ -132,7 +132,7 @@ sealed class ViewCloud
 
     static PointReader SamplingAllAttributes(PointReader reader)
     {
-        reader.Info.AlsoSampled = reader.Info.Schema.Select(a => a.Name).ToArray();
+        reader.Info.ExtraSampledAttributes = reader.Info.Schema.Select(a => a.Name).ToArray();
         return reader;
     }
 

@@ -10,7 +10,7 @@ static class WaveErrors
     public static List<double> Measure(PointReader reader, MeasuredSample taken, CliRun run)
     {
         if (!reader.BlocksAreKnown)
-            run.RunSteps(reader.FindBlocks());
+            run.RunSteps(reader.IndexBlocks());
         run.Progress.Begin("error of the waves");
         using var uniform = new UniformSampler(reader, Queries, Seed);
         run.RunSteps(uniform.Run(0, run.Progress));

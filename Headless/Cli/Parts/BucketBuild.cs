@@ -83,7 +83,7 @@ sealed class BucketBuild : PartStages
         long offset = 0;
         for (int part = 0; part <= Build.Map.Outside; part++)
         {
-            long count = Build.Files?.RecordsOf(part) ?? Scatter.Chunks[part].Count;
+            long count = Build.Files?.RecordsOf(part) ?? Scatter.Chunks[part].RecordCount;
             long bytes = Build.Files?.BlocksOf(part).Bytes ?? 0;
             if (count > 0)
                 ranges.Add(new BucketRange { Part = part, Count = count, Offset = offset, Bytes = bytes });

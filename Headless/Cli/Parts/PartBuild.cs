@@ -115,7 +115,7 @@ sealed class PartBuild : PartStages
             if (samples.Count == 0)
                 Build.Map = PlannedParts.MapOf(part.Cube, new[] { part.Cube });
             else
-                yield return JobStep.Of(PartitionPlan.Of(part.Cube, samples, Build.Grid, Build.Plan, Build.Slices,
+                yield return JobStep.Of(PartitionPlan.Of(part.Cube, samples, Build.Grid, Build.Plan, Build.SliceTimes,
                     map => Build.Map = map));
             Build.Map.BaseCells = part.BaseCells;
             // What the sample does not count.
@@ -164,7 +164,7 @@ sealed class PartBuild : PartStages
 
     IEnumerator<JobStep> Load(RecordBlocks blocks)
     {
-        using var load = new RecordLoad(Build, Build.Slices);
+        using var load = new RecordLoad(Build, Build.SliceTimes);
         using var outside = new NativeReference<int>(Allocator.Persistent);
         var ranges = new[] { new RecordRange { Count = Build.Points } };
         var chunks = Scatter.Chunks;
@@ -176,7 +176,7 @@ sealed class PartBuild : PartStages
             var pages = load.Complete();
             var checkedRecords = CheckRecordsJob.Schedule(new CheckRecordsJob
             {
-                Slices = Build.Slices,
+                SliceTimes = Build.SliceTimes,
                 Pages = pages,
                 Layout = Build.Records,
                 Cube = Build.Part.Cube,

@@ -23,7 +23,7 @@ public sealed class PreviewStep
     {
         double begin = run.Seconds;
         LookSettings.RequireColor(options.Picture, reader.Info.Schema, reader.Info.Path);
-        using var preview = new PreviewCloud(reader, options);
+        using var preview = new PreviewPicture(reader, options);
         var slices = JobDurations.Measure(() => run.RunSteps(preview.Run(run.Progress)));
         run.Warn(reader.Info);
         return new PreviewStep

@@ -90,7 +90,7 @@ public sealed class SampleMethods(Func<PointReader> open, PreviewOptions options
             var watch = Stopwatch.StartNew();
             using var reader = open();
             if (!reader.BlocksAreKnown)
-                run.RunSteps(reader.FindBlocks());
+                run.RunSteps(reader.IndexBlocks());
             var measured = take(reader, watch.Elapsed.TotalSeconds);
             if (best == null || measured.Seconds < best.Seconds)
             {

@@ -18,7 +18,7 @@ public sealed class ConvertedCloudFacts
     readonly List<Level> m_levels = [];
     readonly List<(string Name, long Bytes)> m_planes = [];
     readonly long m_bytes;
-    readonly List<CloudSource> m_sources;
+    readonly List<SourceEntry> m_sources;
     readonly int m_edits, m_undone;
 
     public ConvertedCloudFacts(string path)

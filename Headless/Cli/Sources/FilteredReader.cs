@@ -39,10 +39,10 @@ sealed class FilteredReader : PointReader
     public override bool HasFixedStride => Unfiltered.HasFixedStride;
     internal override long DecoderBytes => Unfiltered.DecoderBytes;
 
-    public override IEnumerator<JobStep> FindBlocks()
+    public override IEnumerator<JobStep> IndexBlocks()
     {
         Unfiltered.MaxJobs = MaxJobs;
-        return Unfiltered.FindBlocks();
+        return Unfiltered.IndexBlocks();
     }
 
     public override long FirstPointOfBlock(int block) => m_firstPointOfBlock?[block] ?? Unfiltered.FirstPointOfBlock(block);

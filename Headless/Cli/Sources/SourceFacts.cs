@@ -34,8 +34,9 @@ public sealed class SourceFacts(PointReader reader)
             yield return ("points", NumberFormat.Count(Info.PointsReadable) + " in the file, " + claimed);
         else
             yield return ("points", claimed);
-        if (Found is { NonFinite: > 0 })
-            yield return ("not finite", NumberFormat.Count(Found.NonFinite, "point") + " have a coordinate that is no number");
+        if (Found is { NonFiniteCount: > 0 })
+            yield return ("not finite", NumberFormat.Count(Found.NonFiniteCount, "point")
+                + " have a coordinate that is no number");
         if (Info.HasBoundsClaimed)
             foreach (var line in BoundsLines(Found == null ? "bounds" : "bounds (header)", Info.BoundsClaimed))
                 yield return line;
@@ -285,7 +286,7 @@ public sealed class SourceFacts(PointReader reader)
         if (Info.RecordBytes > 0)
             json.WriteNumber("recordBytes", Info.RecordBytes);
         if (Found != null)
-            json.WriteInteger("pointsNotFinite", Found.NonFinite);
+            json.WriteInteger("pointsNotFinite", Found.NonFiniteCount);
         Spread?.WriteKeys(json);
         if (GpsTime is { } time)
             json.WriteReal("gpsTimeSpan", time.Max - time.Min);

@@ -53,12 +53,12 @@ public sealed class StabilityRun
             reference = all.Image;
             options.Camera = all.Plan.Camera;
             options.Color = all.Plan.Mode;
-            return Math.Abs(scan.Summary.Points - input.Points) + Math.Abs(scan.Summary.NonFinite - input.LeftOut);
+            return Math.Abs(scan.Summary.Points - input.Points) + Math.Abs(scan.Summary.NonFiniteCount - input.LeftOut);
         });
         RunStage("preview", () =>
         {
             using var reader = PointReaders.Open(input.Files);
-            using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 50000, Picture = options });
+            using var preview = new PreviewPicture(reader, new PreviewOptions { Points = 50000, Picture = options });
             JobCoroutine.RunToEnd(preview.Run(null));
             return ImageError.Compare(preview.Image, reference!, options.Background).Uncovered;
         });

@@ -12,7 +12,7 @@ sealed unsafe class OldCloud : IDisposable
     readonly int m_planeCount;
     OldTable? m_upper;
 
-    OldCloud(string folder, CloudManifest manifest, List<CloudSource> sources)
+    OldCloud(string folder, CloudManifest manifest, List<SourceEntry> sources)
     {
         m_folder = folder;
         Manifest = manifest;
@@ -22,7 +22,7 @@ sealed unsafe class OldCloud : IDisposable
 
     /// <summary>As of version 3, but for where the hierarchy is.</summary>
     public CloudManifest Manifest { get; }
-    public List<CloudSource> Sources { get; }
+    public List<SourceEntry> Sources { get; }
     public OldTable Upper => m_upper!;
     public List<OldChunk> Chunks { get; } = [];
 
@@ -73,7 +73,7 @@ sealed unsafe class OldCloud : IDisposable
         return JsonMembers.Parse(StoreFile.ReadText(path), path);
     }
 
-    static (CloudManifest Manifest, List<CloudSource> Sources, JsonMembers Files) ReadManifest(string folder)
+    static (CloudManifest Manifest, List<SourceEntry> Sources, JsonMembers Files) ReadManifest(string folder)
     {
         string path = Path.Combine(folder, StoreFormat.ManifestName);
         var members = Members(folder);
@@ -101,12 +101,12 @@ sealed unsafe class OldCloud : IDisposable
         var header = ReadHeader(path, OldHeader.HierarchyMagic);
         long bytes = header.NodeBytes;
         using var all = StoreFile.Read(path, 0, header.FileBytes, Allocator.Persistent);
-        if (files.Count("hierarchyBytes") != header.FileBytes || header.PointCount != Manifest.Points
+        if (files.NonNegative("hierarchyBytes") != header.FileBytes || header.PointCount != Manifest.Points
             || header.TableOffset < OldHeader.SizeBytes
             || header.TableOffset != header.FileBytes - bytes - (long)header.ChunkCount * OldChunk.SizeBytes)
             throw Damage(path, 0, "is not the hierarchy that " + StoreFormat.ManifestName + " names");
         RequireHash(path, 0, files.Hex("hierarchyHash"), ContentHash.Of(all.AsReadOnlySpan()));
-        long upperBytes = files.Count("upperBytes");
+        long upperBytes = files.NonNegative("upperBytes");
         if (header.NodeCount > 0 && ReadHeader(UpperPath, OldHeader.UpperMagic).FileBytes != upperBytes)
             throw Damage(UpperPath, 0, "wanted " + upperBytes + " bytes");
         var table = new NativeArray<byte>(all.GetSubArray((int)header.TableOffset, (int)bytes), Allocator.Persistent);

@@ -245,7 +245,7 @@ public sealed class DefaultVerb : Verb
             using var reader = PointReaders.Open(files, source);
             string file = files[0];
             if (reader.Tree != null && !reader.BlocksAreKnown)
-                run.RunSteps(reader.FindBlocks());
+                run.RunSteps(reader.IndexBlocks());
             var facts = new SourceFacts(reader);
             facts.Write(run.Out);
             run.Out.WriteLine();

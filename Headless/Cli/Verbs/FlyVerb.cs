@@ -110,7 +110,7 @@ public sealed class FlyVerb : Verb
         var shaders = parsed.GetValue(m_gpu) ? new GpuShaders() : null;
         using var stream = new StreamContext(shaders?.CreatePool(pool, bank) ?? new MemoryNodePool(pool, bank));
         stream.Settings.Selection.PointBudget = parsed.GetValue(m_budget);
-        stream.Settings.UploadBytesPerFrame = upload;
+        stream.Settings.MaxUploadBytesPerFrame = upload;
         stream.Settings.FadeSeconds = (float)parsed.GetValue(m_fade);
         stream.FrameSeconds = (float)FrameSeconds;
         stream.SetClipBoxes(options.ClipBoxes);
@@ -152,7 +152,7 @@ public sealed class FlyVerb : Verb
             run.Out.WriteLine(kept + ": " + NumberFormat.Count(frames / every) + " pictures, "
                 + NumberFormat.Bytes(pictures.Bytes));
         run.WarnOfFailures(stream);
-        Describe(run, log, stream.Settings.UploadBytesPerFrame, disposeMs);
+        Describe(run, log, stream.Settings.MaxUploadBytesPerFrame, disposeMs);
     }
 
     static BoundsGeo AddClouds(string[] clouds, StreamContext stream, FlightRenderer picture, CancellationToken cancellation)

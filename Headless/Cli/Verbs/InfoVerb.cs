@@ -60,7 +60,7 @@ public sealed class InfoVerb : Verb
         }
         using var reader = PointReaders.Open(cloud, options);
         if (reader.Tree != null && !reader.BlocksAreKnown)
-            run.RunSteps(reader.FindBlocks());
+            run.RunSteps(reader.IndexBlocks());
         var facts = new SourceFacts(reader);
         if (scan)
         {

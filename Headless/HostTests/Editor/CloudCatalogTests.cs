@@ -39,7 +39,7 @@ public sealed class CloudCatalogTests : ScratchPerTest
         Assert.That(m_catalog.Clouds, Has.Count.EqualTo(2));
         Assert.That(m_catalog.Find(handle, out var cloud), Is.EqualTo(CatalogMatch.InPlace));
         Assert.That(cloud.Manifest.Points, Is.EqualTo(2000));
-        handle.Describe(cloud.Manifest);
+        handle.SetFrom(cloud.Manifest);
 
         Directory.Move(cloud.Path, Path.Combine(m_paths.Clouds, "renamed.fastpoints"));
         m_catalog.Refresh();

@@ -15,7 +15,7 @@ public sealed class CloudHandleTests
             Sources = { source, "Assets/\"odd\".las" },
         };
         using (var reader = PointReaders.Open(source))
-            handle.Describe(reader.Info);
+            handle.SetFrom(reader.Info);
         Assert.That(handle.Points, Is.EqualTo(3000));
         Assert.That(handle.BoundsGeo.IsEmpty, Is.False);
 
@@ -34,7 +34,7 @@ public sealed class CloudHandleTests
     {
         var handle = new CloudHandle { CloudPath = "a" };
 
-        handle.Describe("LAS", Enumerable.Range(0, count).Select(i => new CloudWarning("/home/a/b.las", 7, "odd " + i)).ToList());
+        handle.SetFrom("LAS", Enumerable.Range(0, count).Select(i => new CloudWarning("/home/a/b.las", 7, "odd " + i)).ToList());
 
         var read = CloudHandle.FromJson(handle.ToJson(), "a.pointcloud");
         Assert.That(read.Warnings, Has.Count.EqualTo(kept).And.Some.EqualTo("b.las: at byte 7: odd 0"));

@@ -201,7 +201,7 @@ public sealed class DropTests
         AssetDatabase.Refresh();
         var asset = m_project.Asset("Assets/scan.las");
         Assert.That(asset.ProjectSources,
-            Is.EqualTo(new[] { PointCloudPaths.OfAsset + AssetDatabase.AssetPathToGUID("Assets/scan.las") }));
+            Is.EqualTo(new[] { PointCloudPaths.AssetPrefix + AssetDatabase.AssetPathToGUID("Assets/scan.las") }));
         Assert.That(asset.Paths.FullSources(), Is.EqualTo(new[] { Path.GetFullPath("Assets/scan.las") }));
     }
 

@@ -302,7 +302,7 @@ public sealed class ImportQueueTests
     ImportRequest RequestWithNormals()
     {
         var request = m_project.Request();
-        request.Normals = true;
+        request.AddsNormals = true;
         return request;
     }
 
@@ -315,7 +315,7 @@ public sealed class ImportQueueTests
         double share = 0;
         UpdateUntil(queue, () =>
         {
-            if (queue.Running?.IsBuilt == true)
+            if (queue.Running?.OnlyNormalsLeft == true)
             {
                 Assert.That(queue.Session.Fraction, Is.InRange(share, 1));
                 share = queue.Session.Fraction;

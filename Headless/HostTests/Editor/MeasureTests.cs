@@ -407,16 +407,16 @@ public sealed class MeasureTests : ScratchTests
         PickText.Coordinates(new double3(690052.801, 5330006.106, 528), new double3(step, step, step)), Is.EqualTo(wanted));
 
     [Test]
-    public void PickRayOf_Cameras_HaveTheWidthOfPixels()
+    public void PickQueryOf_Cameras_HaveTheWidthOfPixels()
     {
         var camera = new GameObject("camera").AddComponent<UnityEngine.Camera>();
         camera.targetTexture = new RenderTexture(new RenderTextureDescriptor(200, 100));
         camera.projectionMatrix = Matrix4x4.Perspective(90, 2, 0.5f, 1000);
-        var ray = CameraViews.PickRayOf(camera, new Ray(new Vector3(0, 0, 0.5f), new Vector3(0, 0, 1)), 5);
+        var ray = CameraViews.PickQueryOf(camera, new Ray(new Vector3(0, 0, 0.5f), new Vector3(0, 0, 1)), 5);
         Assert.That(ray.RadiusAt(10), Is.EqualTo(5.0 / 50 * 10).Within(1e-6), "50 pixels are 10 units there");
         Assert.That(ray.From, Is.EqualTo(0.5).Within(1e-6));
         camera.projectionMatrix = Matrix4x4.Ortho(-20, 20, -10, 10, 0.5f, 1000);
-        var parallel = CameraViews.PickRayOf(camera, new Ray(new Vector3(3, 4, 0.5f), new Vector3(0, 0, 1)), 5);
+        var parallel = CameraViews.PickQueryOf(camera, new Ray(new Vector3(3, 4, 0.5f), new Vector3(0, 0, 1)), 5);
         Assert.That(parallel.RadiusAt(10), Is.EqualTo(1).Within(1e-6));
         Assert.That(parallel.OriginWorld, Is.EqualTo(new double3(3, 4, 0.5)));
         UnityEngine.Object.DestroyImmediate(camera.gameObject);

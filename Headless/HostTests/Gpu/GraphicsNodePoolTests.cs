@@ -21,7 +21,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     {
         var stream = new StreamContext(new GraphicsNodePool(new GpuShaders().CopyPages, limitBytes, bankBytes));
         stream.Settings.Selection.MinScreenErrorPx = 0.1f;
-        stream.Settings.UploadBytesPerFrame = bytesPerUpload;
+        stream.Settings.MaxUploadBytesPerFrame = bytesPerUpload;
         var source = new FolderSource(CloudFolder.Open(m_cloud), StoreLayout.ColorName);
         stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
         return stream;

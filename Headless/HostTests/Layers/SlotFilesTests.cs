@@ -2,7 +2,7 @@ namespace FastPoints.HostTests.Layers;
 
 public sealed class SlotFilesTests
 {
-    static readonly Regex s_slot = new Regex(@"\bclass \w+ : (BlockRead|SlotRead|StridedRead|NodeRead|PlyRead)\b");
+    static readonly Regex s_slot = new Regex(@"\bclass \w+ : (BlockRead|OwningBlockRead|StridedRead|NodeRead|PlyRead)\b");
     static readonly Regex s_managedFile = new Regex(
         @"\b(RandomAccessFile|FileInfo|FileStream|Directory|LasReader\.Open|System\.IO)\b");
 

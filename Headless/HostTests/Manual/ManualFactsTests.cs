@@ -7,7 +7,7 @@ public sealed class ManualFactsTests
     static readonly Assembly[] s_assemblies =
     {
         typeof(JobCoroutine).Assembly, typeof(PointReaders).Assembly, typeof(PointRenderer).Assembly,
-        typeof(PointCloudSettings).Assembly, typeof(EditorImports).Assembly, typeof(PreviewCloud).Assembly,
+        typeof(PointCloudSettings).Assembly, typeof(EditorImports).Assembly, typeof(PreviewPicture).Assembly,
         typeof(FastPoints.Surface.PointCloudCollider).Assembly,
     };
 

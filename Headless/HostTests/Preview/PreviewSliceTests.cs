@@ -49,7 +49,7 @@ public sealed class PreviewSliceTests
             using var reader = PointReaders.Open(path);
             var runs = RunsOf(() =>
             {
-                using var preview = new PreviewCloud(reader, new PreviewOptions { Points = points });
+                using var preview = new PreviewPicture(reader, new PreviewOptions { Points = points });
                 JobCoroutine.RunToEnd(preview.Run(new StageProgress()));
                 Assert.That(preview.Sample.Count, Is.EqualTo(points));
             });

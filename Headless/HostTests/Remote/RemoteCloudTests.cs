@@ -293,17 +293,17 @@ public sealed class RemoteCloudTests : ScratchTests
         Put(m_other);
         stream.Settings.Selection.PointBudget = budget;
         var wanted = DrawnOf(m_other);
-        int first = versions.Cloud;
+        int first = versions.ShownNumber;
         Until(stream, _ =>
         {
             feed.Update(1);
             if (feed.Newest != null)
                 versions.Add(feed.Take(StoreLayout.ColorName));
             versions.Update();
-            return versions.Cloud != first;
+            return versions.ShownNumber != first;
         }, "the cloud is not opened again");
         Settle(stream);
-        Assert.That(Drawn(stream, versions.Cloud), Is.EquivalentTo(wanted));
+        Assert.That(Drawn(stream, versions.ShownNumber), Is.EquivalentTo(wanted));
     }
 
     [Test]

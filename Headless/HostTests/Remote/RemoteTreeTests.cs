@@ -27,7 +27,7 @@ sealed class RemoteTreeTests : RemoteFixture
     static int Add(StreamContext stream, string path)
     {
         var reader = PointReaders.Open(path);
-        JobCoroutine.RunToEnd(TreeSource.FindTop(reader));
+        JobCoroutine.RunToEnd(TreeSource.ReadTop(reader));
         var source = new TreeSource(reader, s_planes);
         return stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
     }

@@ -8,7 +8,7 @@ namespace FastPoints.Evaluation
 
         public AttributeType Type;
         public long Finite;
-        public long NonFinite; // Number of values that are infinite or NaN: they count in the sum, but not in the range.
+        public long NonFiniteCount; // Number of values that are infinite or NaN: they count in the sum, but not in the range.
         public ulong Sum; // Sum modulo 2^64: of sign-extended integers; for floats, of their bits, extended by zeros.
 
         ulong m_minOrdered;
@@ -28,7 +28,7 @@ namespace FastPoints.Evaluation
         public void Include(in ColumnSummary other)
         {
             Finite += other.Finite;
-            NonFinite += other.NonFinite;
+            NonFiniteCount += other.NonFiniteCount;
             Sum += other.Sum;
             m_minOrdered = math.min(m_minOrdered, other.m_minOrdered);
             m_maxOrdered = math.max(m_maxOrdered, other.m_maxOrdered);
@@ -134,7 +134,7 @@ namespace FastPoints.Evaluation
             m_maxOrdered = max;
             Sum += sum;
             Finite += finite;
-            NonFinite += count - finite;
+            NonFiniteCount += count - finite;
         }
 
         double ToDouble(ulong ordered)

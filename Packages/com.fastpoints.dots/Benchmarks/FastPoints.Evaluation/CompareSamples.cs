@@ -64,7 +64,7 @@ namespace FastPoints.Evaluation
             if (!m_reader.BlocksAreKnown)
             {
                 progress?.Begin(PreviewSampling.FindBlocksStage);
-                yield return JobStep.Of(m_reader.FindBlocks());
+                yield return JobStep.Of(m_reader.IndexBlocks());
             }
             progress?.Begin("reference sample");
             using (var sampler = new UniformSampler(m_reader, MaxQueries, QuerySeed))

@@ -39,7 +39,7 @@ namespace FastPoints.Evaluation
         public IEnumerator<JobStep> Run(StageProgress progress)
         {
             int sampled = m_budget > 0 ? (int)Math.Min(m_budget, int.MaxValue) : PointsToPlanWith;
-            using var preview = new PreviewCloud(m_reader, new PreviewOptions { Points = sampled, Picture = m_options });
+            using var preview = new PreviewPicture(m_reader, new PreviewOptions { Points = sampled, Picture = m_options });
             yield return JobStep.Of(preview.TakeSample(progress));
             yield return JobStep.Of(preview.PlanPicture());
             var sample = preview.Sample;

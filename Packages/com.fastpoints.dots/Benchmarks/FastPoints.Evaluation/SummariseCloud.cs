@@ -50,7 +50,7 @@ namespace FastPoints.Evaluation
             if (!m_reader.BlocksAreKnown)
             {
                 progress?.Begin(PreviewSampling.FindBlocksStage);
-                yield return JobStep.Of(m_reader.FindBlocks());
+                yield return JobStep.Of(m_reader.IndexBlocks());
             }
             progress?.Begin("scan");
             if (slots < 1)
@@ -129,7 +129,7 @@ namespace FastPoints.Evaluation
             var bounds = Summary.Bounds;
             bounds.Include(found.Bounds);
             Summary.Bounds = bounds;
-            Summary.NonFinite += found.NonFinite;
+            Summary.NonFiniteCount += found.NonFiniteCount;
         }
 
         static bool HaveWholeNumbers(PointSchema schema, in PositionTransform transform)
@@ -173,7 +173,7 @@ namespace FastPoints.Evaluation
 
         public BoundsGeo Bounds { get; internal set; } = BoundsGeo.Empty;
 
-        public long NonFinite { get; internal set; }
+        public long NonFiniteCount { get; internal set; }
         public ColumnSummary[] Columns { get; internal set; }
 
         /// <summary>Points by class and by return number; null if there are none.</summary>

@@ -49,7 +49,7 @@ namespace FastPoints.Editor
                     HandleUtility.AddDefaultControl(control);
                     break;
                 case EventType.MouseDown when current.button == 0 && !current.alt && HandleUtility.nearestControl == control:
-                    m_session.Begin(CameraViews.PickRayOf(view.camera, HandleUtility.GUIPointToWorldRay(current.mousePosition),
+                    m_session.Begin(CameraViews.PickQueryOf(view.camera, HandleUtility.GUIPointToWorldRay(current.mousePosition),
                         Radius * EditorGUIUtility.pixelsPerPoint));
                     GUIUtility.hotControl = control;
                     current.Use();

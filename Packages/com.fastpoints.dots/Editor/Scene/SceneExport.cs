@@ -50,7 +50,7 @@ namespace FastPoints.Editor
                 imports.Exports.Begin(sources, path, new ExportSettings
                 {
                     Clips = clips,
-                    WorldOfGeo = WorldOfGeo(shown),
+                    GeoToWorld = GeoToWorld(shown),
                     Classes = ClassesExcept(cloud.HiddenClasses),
                     InFlightMs = 50,
                 });
@@ -86,7 +86,7 @@ namespace FastPoints.Editor
         }
 
         /// <summary>A cloud is placed from the corner of its root cube.</summary>
-        static CloudPlacement WorldOfGeo(StreamedCloud shown)
+        static CloudPlacement GeoToWorld(StreamedCloud shown)
         {
             var corner = shown.Source.Grid.ToGeo(shown.Source.Root.Corner);
             return new CloudPlacement(shown.Placement.Linear,

@@ -58,7 +58,8 @@ namespace FastPoints.Editor
                 // One click asks several times; between clicks no file is kept open.
                 EditorApplication.delayCall += DisposePicker;
             }
-            var ray = CameraViews.PickRayOf(camera, camera.ScreenPointToRay(position), Radius * EditorGUIUtility.pixelsPerPoint);
+            var ray = CameraViews.PickQueryOf(camera, camera.ScreenPointToRay(position),
+                Radius * EditorGUIUtility.pixelsPerPoint);
             s_picker.Begin(group.Stream, ray, cloud => clouds[cloud].Hidden, clouds.ContainsKey);
             var waited = Stopwatch.StartNew();
             while (!s_picker.Update(MaxMs) && waited.Elapsed.TotalMilliseconds < MaxMs)
@@ -84,7 +85,7 @@ namespace FastPoints.Editor
                 if (live.Versions == null || !entities.HasComponent<PointCloudFile>(entity) || !canBePicked(live.Object))
                     continue;
                 var hidden = entities.GetComponentData<PointCloudFile>(entity).HiddenClasses;
-                foreach (int number in new[] { live.Versions.Cloud, live.Versions.Preview, live.Versions.Next })
+                foreach (int number in new[] { live.Versions.ShownNumber, live.Versions.Preview, live.Versions.Next })
                     clouds[number] = (live.Object, hidden);
             }
             return clouds;

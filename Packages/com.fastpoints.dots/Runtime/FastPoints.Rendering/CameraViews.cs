@@ -73,14 +73,14 @@ namespace FastPoints.Rendering
 
         /// <summary>The ray through a position in a camera's picture, from <c>Camera.ScreenPointToRay</c> or the editor's
         /// <c>GUIPointToWorldRay</c>: from the near plane. The radius is in pixels of the picture.</summary>
-        public static PointQuery PickRayOf(Camera camera, Ray ray, double radiusPx)
+        public static PointQuery PickQueryOf(Camera camera, Ray ray, double radiusPx)
         {
-            var picked = UnmaskedRayOf(camera, ray, radiusPx);
+            var picked = UnmaskedQueryOf(camera, ray, radiusPx);
             picked.Mask = MaskOf(camera);
             return picked;
         }
 
-        static PointQuery UnmaskedRayOf(Camera camera, Ray ray, double radiusPx)
+        static PointQuery UnmaskedQueryOf(Camera camera, Ray ray, double radiusPx)
         {
             var projection = camera.projectionMatrix;
             var near = new double3(ray.origin.x, ray.origin.y, ray.origin.z);

@@ -22,7 +22,7 @@ namespace FastPoints.Rendering
             m_nodeOfInstanceAt = Reserve(list.NodeOfInstance);
             m_sizeNodesAt = Reserve(list.SizeNodes);
             m_clipBoxesAt = Reserve(list.ClipBoxes);
-            m_lastOfNodeAt = Reserve(list.LastInstanceOfNode);
+            m_lastOfNodeAt = Reserve(list.PreviousFirstInstanceOfNode);
             if (m_buffer.Reserve(m_endByte))
                 m_buffer.Write(commands, m_colors);
             m_buffer.Write(commands, list.Nodes, m_nodesAt);
@@ -30,7 +30,7 @@ namespace FastPoints.Rendering
             m_buffer.Write(commands, list.NodeOfInstance, m_nodeOfInstanceAt);
             m_buffer.Write(commands, list.SizeNodes, m_sizeNodesAt);
             m_buffer.Write(commands, list.ClipBoxes, m_clipBoxesAt);
-            m_buffer.Write(commands, list.LastInstanceOfNode, m_lastOfNodeAt);
+            m_buffer.Write(commands, list.PreviousFirstInstanceOfNode, m_lastOfNodeAt);
         }
 
         public void Set(MaterialPropertyBlock properties)

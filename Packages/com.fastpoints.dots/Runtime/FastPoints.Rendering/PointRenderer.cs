@@ -63,8 +63,8 @@ namespace FastPoints.Rendering
             m_pool.BeginPicture();
             List.IsProgressive = m_progressive.Begin(style);
             // Shadows are of what a layer has.
-            List.LightsByDepths = style.Shadows && m_raster != null;
-            if (!List.LightsByDepths)
+            List.IgnoresNormals = style.Shadows && m_raster != null;
+            if (!List.IgnoresNormals)
             {
                 m_shadows?.Dispose();
                 m_shadows = null;
@@ -167,8 +167,8 @@ namespace FastPoints.Rendering
         void Adapt(ref RenderView view)
         {
             m_progressive.DrawWholeIfItFits(ref view.Style, List);
-            view.Style.IsLit = List.IsLit;
-            view.Style.IsShadowed = List.IsLit && m_shadows != null && math.csum(view.Light.Color) > 0 &&
+            view.Style.IsLit = List.IsLitByDepths;
+            view.Style.IsShadowed = List.IsLitByDepths && m_shadows != null && math.csum(view.Light.Color) > 0 &&
                 m_shadows.Fit(view.Light.Direction);
         }
 

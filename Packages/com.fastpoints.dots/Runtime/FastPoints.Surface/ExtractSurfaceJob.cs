@@ -37,7 +37,7 @@ namespace FastPoints.Surface
             Times.End(begin);
         }
 
-        byte* IsInsideRow(int row, int layer) =>
+        byte* InsideFlagsOfRow(int row, int layer) =>
             (byte*)Memory.IsInside.GetUnsafePtr() + Grid.Side * RowAt(row, layer);
 
         int RowAt(int row, int layer) => row + Grid.Side * layer;
@@ -47,12 +47,12 @@ namespace FastPoints.Surface
             int before = Grid.Margin - 1, cubes = Grid.CellVoxels + 1;
             int y = before + row, z = before + layer;
             var isRowInside = (byte*)Memory.IsRowInside.GetUnsafePtr();
-            var vertexOf = (int*)Memory.VertexOf.GetUnsafePtr() + cubes * (row + cubes * layer);
+            var vertexOf = (int*)Memory.VertexNumberOfCube.GetUnsafePtr() + cubes * (row + cubes * layer);
             if ((isRowInside[RowAt(y, z)] | isRowInside[RowAt(y + 1, z)] | isRowInside[RowAt(y, z + 1)] |
                 isRowInside[RowAt(y + 1, z + 1)]) == 0)
                 return;
-            byte* a = IsInsideRow(y, z) + before, b = IsInsideRow(y + 1, z) + before, c = IsInsideRow(y, z + 1) + before,
-                d = IsInsideRow(y + 1, z + 1) + before;
+            byte* a = InsideFlagsOfRow(y, z) + before, b = InsideFlagsOfRow(y + 1, z) + before,
+                c = InsideFlagsOfRow(y, z + 1) + before, d = InsideFlagsOfRow(y + 1, z + 1) + before;
             int right = a[0] | b[0] << 2 | c[0] << 4 | d[0] << 6;
             for (int x = 0; x < cubes; x++)
             {
@@ -63,14 +63,14 @@ namespace FastPoints.Surface
                 if (corners == 0 || corners == 255)
                     continue;
                 var place = new int3(before + x, y, z);
-                var steps = (int3)math.round(VertexOf(corners, place) * SurfaceGrid.StepsPerVoxel);
+                var steps = (int3)math.round(PositionOfVertex(corners, place) * SurfaceGrid.StepsPerVoxel);
                 Memory.Vertices.Add((place + -Grid.Margin) * SurfaceGrid.StepsPerVoxel + steps);
                 vertexOf[x] = Memory.Vertices.Length;
             }
         }
 
         /// <summary>Counted from the cube's corner, in voxels.</summary>
-        float3 VertexOf(int corners, int3 place)
+        float3 PositionOfVertex(int corners, int3 place)
         {
             const int reach = SurfaceGrid.VertexReach;
             int side = Grid.Side, count = 0, nearest = 0;
@@ -159,9 +159,9 @@ namespace FastPoints.Surface
             var isRowInside = (byte*)Memory.IsRowInside.GetUnsafePtr();
             if ((isRowInside[RowAt(y, z)] | isRowInside[RowAt(y + 1, z)] | isRowInside[RowAt(y, z + 1)]) == 0)
                 return;
-            byte* here = IsInsideRow(y, z) + margin, above = here + side, behind = here + side * side;
+            byte* here = InsideFlagsOfRow(y, z) + margin, above = here + side, behind = here + side * side;
             // The cube that begins at the lattice point; those before it along an axis lie a stride back.
-            var cube = (int*)Memory.VertexOf.GetUnsafePtr() + 1 + cubes * (row + 1 + cubes * (layer + 1));
+            var cube = (int*)Memory.VertexNumberOfCube.GetUnsafePtr() + 1 + cubes * (row + 1 + cubes * (layer + 1));
             int alongY = cubes, alongZ = cubes * cubes;
             for (int x = 0; x < Grid.CellVoxels; x++, cube++)
             {

@@ -130,7 +130,8 @@ namespace FastPoints.Surface
             UnsafeUtility.MemClear(Memory.SurfelOf.GetUnsafePtr(), Memory.SurfelOf.Length * (long)sizeof(int));
             UnsafeUtility.MemClear(Memory.IsInside.GetUnsafePtr(), Memory.IsInside.Length);
             UnsafeUtility.MemClear(Memory.IsRowInside.GetUnsafePtr(), Memory.IsRowInside.Length);
-            UnsafeUtility.MemClear(Memory.VertexOf.GetUnsafePtr(), Memory.VertexOf.Length * (long)sizeof(int));
+            UnsafeUtility.MemClear(Memory.VertexNumberOfCube.GetUnsafePtr(),
+                Memory.VertexNumberOfCube.Length * (long)sizeof(int));
             Memory.Voxels.Clear();
             Memory.Surfels.Clear();
             Memory.Vertices.Clear();

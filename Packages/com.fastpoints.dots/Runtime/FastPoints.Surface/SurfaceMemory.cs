@@ -33,7 +33,7 @@ namespace FastPoints.Surface
         public NativeArray<byte> IsRowInside; // By row of lattice points along x: whether any is.
 
         /// <summary>By cube of the cell, and those before its first ones; 0 for none, else 1 more than its vertex.</summary>
-        public NativeArray<int> VertexOf;
+        public NativeArray<int> VertexNumberOfCube;
         public NativeList<int3> Vertices; // In steps from the cell's corner.
 
         /// <summary>Three vertices each; counter-clockwise seen from outside, in the source's right-handed axes.</summary>
@@ -45,7 +45,7 @@ namespace FastPoints.Surface
             SurfelOf = new NativeArray<int>(side * side * side, allocator);
             IsInside = new NativeArray<byte>(side * side * side, allocator);
             IsRowInside = new NativeArray<byte>(side * side, allocator);
-            VertexOf = new NativeArray<int>(cubes * cubes * cubes, allocator);
+            VertexNumberOfCube = new NativeArray<int>(cubes * cubes * cubes, allocator);
             Voxels = new NativeList<SurfaceVoxel>(allocator);
             Means = new NativeList<float3>(allocator);
             Surfels = new NativeList<Surfel>(allocator);
@@ -60,7 +60,7 @@ namespace FastPoints.Surface
             SurfelOf.Dispose();
             IsInside.Dispose();
             IsRowInside.Dispose();
-            VertexOf.Dispose();
+            VertexNumberOfCube.Dispose();
             Voxels.Dispose();
             Means.Dispose();
             Surfels.Dispose();

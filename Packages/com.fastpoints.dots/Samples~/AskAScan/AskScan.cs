@@ -45,7 +45,7 @@ namespace FastPoints.Samples.AskAScan
         {
             var camera = GetComponent<Camera>();
             var pointer = Event.current.mousePosition;
-            var ray = CameraViews.PickRayOf(camera,
+            var ray = CameraViews.PickQueryOf(camera,
                 camera.ScreenPointToRay(new Vector3(pointer.x, camera.pixelHeight - pointer.y, 0)), RadiusPx);
             if (Event.current.type == EventType.MouseDown && Event.current.button == 0)
                 m_picker.Begin(ray);

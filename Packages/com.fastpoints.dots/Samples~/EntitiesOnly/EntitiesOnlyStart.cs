@@ -33,7 +33,7 @@ namespace FastPoints.Samples.EntitiesOnly
             {
                 Points = 1_000_000,
                 PoolBytes = 256 << 20,
-                UploadBytesPerFrame = 4 << 20,
+                MaxUploadBytesPerFrame = 4 << 20,
                 MinNodePx = 1,
             });
 

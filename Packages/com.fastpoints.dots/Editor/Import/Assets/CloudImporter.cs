@@ -51,8 +51,9 @@ namespace FastPoints.Editor
         {
             asset.ProjectPath = handle.CloudPath;
             asset.PlayerPath = PlayerPath.Of(handle.CloudPath, guid);
-            asset.ProjectSources = handle.Sources.ConvertAll(s => s == assetPath ? PointCloudPaths.OfAsset + guid : s).ToArray();
-            asset.PlayerSource = handle.IsOctree ? PlayerPath.OfSource(handle.Sources[0], guid) : "";
+            asset.ProjectSources = handle.Sources.ConvertAll(
+                s => s == assetPath ? PointCloudPaths.AssetPrefix + guid : s).ToArray();
+            asset.PlayerSource = handle.IsSourceOctree ? PlayerPath.OfSource(handle.Sources[0], guid) : "";
             var origin = OriginOf(handle);
             asset.HasOrigin = origin.HasValue;
             asset.Origin = origin ?? default;
@@ -81,8 +82,8 @@ namespace FastPoints.Editor
         public static string Of(string cloudPath, string asset)
         {
             const string folder = ProjectPaths.DefaultClouds + "/";
-            if (cloudPath.StartsWith(PointCloudPaths.InConvertedRoot, StringComparison.Ordinal))
-                return folder + cloudPath.Substring(PointCloudPaths.InConvertedRoot.Length);
+            if (cloudPath.StartsWith(PointCloudPaths.ConvertedRootPrefix, StringComparison.Ordinal))
+                return folder + cloudPath.Substring(PointCloudPaths.ConvertedRootPrefix.Length);
             if (cloudPath.StartsWith(folder, StringComparison.Ordinal) && cloudPath.IndexOf('/', folder.Length) < 0)
                 return cloudPath;
             string name = AssetNaming.Safe(Path.GetFileNameWithoutExtension(cloudPath.TrimEnd('/', '\\')));

@@ -98,7 +98,7 @@ namespace FastPoints.Editor
         static Row Describe(string asset, string folder, CloudCatalog catalog, ProjectPaths paths, bool convertsOctrees)
         {
             var handle = new CloudHandle { CloudPath = paths.Stored(folder), Sources = { asset } };
-            handle.IsOctree = CloudSources.HasOctree(paths.Absolute(asset));
+            handle.IsSourceOctree = CloudSources.HasOctree(paths.Absolute(asset));
             var row = new Row { Asset = asset, Cloud = folder, Points = -1 };
             try
             {
@@ -108,11 +108,11 @@ namespace FastPoints.Editor
                 if (match == CatalogMatch.InPlace || match == CatalogMatch.Building)
                     row = Of(cloud);
                 else
-                    row.State = handle.IsOctree ? "streamed as it is" : match == CatalogMatch.Moved ? "converted data moved"
+                    row.State = handle.IsSourceOctree ? "streamed as it is" : match == CatalogMatch.Moved ? "converted data moved"
                         : match == CatalogMatch.Another ? "another cloud's data" : "not converted";
                 row.Missing = CloudRelocation.FindMissing(handle, paths);
                 // A changed source never converts to the cloud of the handle: the question would return for ever.
-                row.IsWanted = row.Missing == null && handle.Sources.Count > 0 && (convertsOctrees || !handle.IsOctree) &&
+                row.IsWanted = row.Missing == null && handle.Sources.Count > 0 && (convertsOctrees || !handle.IsSourceOctree) &&
                     (match == CatalogMatch.None || match == CatalogMatch.Another && handle.Stamp != null &&
                     handle.Stamp.Compare(handle.Sources.ConvertAll(paths.Absolute)) == SourceChange.None);
             }

@@ -17,7 +17,7 @@ namespace FastPoints.Editor
         public static void Prompt(EditorImports imports, string asset, string missing)
         {
             string name = Path.GetFileName(missing);
-            string found = imports.HandleOf(asset).IsFolder || !Path.HasExtension(name)
+            string found = imports.HandleOf(asset).IsSourceFolder || !Path.HasExtension(name)
                 ? EditorUtility.OpenFolderPanel("Locate " + name, "", "")
                 : EditorUtility.OpenFilePanelWithFilters("Locate " + name, "", new[] { "All files", "*" });
             if (string.IsNullOrEmpty(found))

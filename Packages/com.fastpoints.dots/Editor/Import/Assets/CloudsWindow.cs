@@ -165,7 +165,7 @@ namespace FastPoints.Editor
             foreach (var row in m_list.Unused)
             {
                 // An asset may have been added since.
-                if (imports.Assets.Of(row.Cloud).Count > 0 || imports.Queue.RequestFor(row.Cloud) != null)
+                if (imports.Assets.Of(row.Cloud).Count > 0 || imports.Queue.RequestOfCloud(row.Cloud) != null)
                     continue;
                 try
                 {

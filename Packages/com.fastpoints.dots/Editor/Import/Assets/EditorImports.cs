@@ -44,13 +44,13 @@ namespace FastPoints.Editor
             Thumbnails.Drawn += m_drawn.Add;
             Catalog = new CloudCatalog(paths);
             Assets = new CloudAssets(paths);
-            Leftovers = new CloudLeftovers(this);
+            UnusedClouds = new UnusedCloudPrompt(this);
             Claims = new PointFilePrompt(settings);
             Missing = new MissingClouds(this);
             m_parts = new Action[]
             {
                 UpdateQueue, () => Verification.Update(m_budgetMs), Transfers.Update, () => Exports.Update(m_budgetMs),
-                Leftovers.Prompt, Claims.Update, Missing.Update, () => Thumbnails.Update(m_budgetMs), UpdateDrops, Report,
+                UnusedClouds.Prompt, Claims.Update, Missing.Update, () => Thumbnails.Update(m_budgetMs), UpdateDrops, Report,
             };
         }
 
@@ -58,7 +58,7 @@ namespace FastPoints.Editor
         internal ImportQueue Queue { get; }
         internal CloudCatalog Catalog { get; }
         internal CloudAssets Assets { get; }
-        internal CloudLeftovers Leftovers { get; }
+        internal UnusedCloudPrompt UnusedClouds { get; }
         internal PointFilePrompt Claims { get; }
         internal MissingClouds Missing { get; }
         internal EditorVerification Verification { get; } = new EditorVerification();
@@ -95,7 +95,7 @@ namespace FastPoints.Editor
         void UpdateQueue()
         {
             bool isPlaying = EditorApplication.isPlaying;
-            Queue.IsHeld = isPlaying && m_settings.InPlayMode == InPlayMode.Pause;
+            Queue.IsPausedByPlayMode = isPlaying && m_settings.InPlayMode == InPlayMode.Pause;
             Queue.Session?.Adapt(isPlaying && m_settings.InPlayMode == InPlayMode.OneWorker ? 1 : m_settings.Workers,
                 m_timeBudget.InFlightMs);
             Queue.Tick(m_budgetMs, m_nowUtc);
@@ -240,7 +240,7 @@ namespace FastPoints.Editor
         internal void Cancel(ImportRequest request)
         {
             Queue.Cancel(request);
-            if (!request.IsBuilt)
+            if (!request.OnlyNormalsLeft)
                 DisableAutoConvert(request.Cloud);
         }
 
@@ -271,8 +271,8 @@ namespace FastPoints.Editor
 
         /// <summary>The request in the queue for an asset's cloud, which a copy of the asset may have made; null if there is
         /// none.</summary>
-        internal ImportRequest RequestOf(string asset) => Queue.RequestOf(AssetDatabase.AssetPathToGUID(asset)) ??
-            (Assets.All.TryGetValue(asset, out string cloud) ? Queue.RequestFor(cloud) : null);
+        internal ImportRequest RequestOf(string asset) => Queue.RequestOfAsset(AssetDatabase.AssetPathToGUID(asset)) ??
+            (Assets.All.TryGetValue(asset, out string cloud) ? Queue.RequestOfCloud(cloud) : null);
 
         /// <summary>Draws the picture of a handle's cloud: from the converted cloud if there is one, otherwise from its
         /// files.</summary>
@@ -312,7 +312,7 @@ namespace FastPoints.Editor
                 Cloud = handle.CloudPath,
                 Sources = new List<string>(handle.Sources),
                 Sampler = m_settings.Sampler,
-                Normals = m_settings.Normals,
+                AddsNormals = m_settings.Normals,
             };
         }
 
@@ -338,7 +338,7 @@ namespace FastPoints.Editor
 
         /// <summary>Whether the settings have its cloud converted, sooner or later.</summary>
         internal bool IsConverted(CloudHandle handle) =>
-            handle.Sources.Count > 0 && (!handle.IsOctree || m_settings.ConvertOctrees);
+            handle.Sources.Count > 0 && (!handle.IsSourceOctree || m_settings.ConvertOctrees);
 
         /// <summary>Names for new clouds, none of which another asset or request is waiting for.</summary>
         internal FreeNames NewTargets()
@@ -352,7 +352,7 @@ namespace FastPoints.Editor
         {
             var handle = new CloudHandle { CloudPath = Paths.Stored(ProjectPaths.OfAsset(AssetDatabase.AssetPathToGUID(asset))) };
             handle.Sources.Add(asset);
-            handle.IsOctree = CloudSources.HasOctree(asset);
+            handle.IsSourceOctree = CloudSources.HasOctree(asset);
             try
             {
                 handle.Stamp = StampFile.Read(Paths.Absolute(handle.CloudPath));

@@ -16,8 +16,8 @@ namespace FastPoints.Editor
             using var reader = PointReaders.Open(context.assetPath);
             var handle = new CloudHandle { CloudPath = ProjectPaths.OfAsset(guid) };
             handle.Sources.Add(context.assetPath);
-            handle.IsOctree = reader.Tree != null;
-            handle.Describe(reader.Info);
+            handle.IsSourceOctree = reader.Tree != null;
+            handle.SetFrom(reader.Info);
             foreach (var warning in reader.Info.Warnings)
                 context.LogImportWarning(warning.ToString());
             return handle;
@@ -33,7 +33,7 @@ namespace FastPoints.Editor
         {
             if (!PointCloudImports.IsMainEditor)
                 return;
-            PointCloudImports.Current.Leftovers.OnDeleted(deletedAssets);
+            PointCloudImports.Current.UnusedClouds.OnDeleted(deletedAssets);
             PointCloudImports.Current.Assets.Update(importedAssets, deletedAssets, movedFromAssetPaths, movedAssets);
             PointCloudImports.Current.Missing.OnImported(importedAssets);
             var ours = new List<string>();

@@ -20,7 +20,7 @@ namespace FastPoints.Editor
             if (Session != queue.Session)
                 Begin(queue);
             Progress.Report(m_line, (float)Session.Fraction,
-                queue.IsHeld ? "until play mode ends" : ConversionProgress.Describe(Session.Progress));
+                queue.IsPausedByPlayMode ? "until play mode ends" : ConversionProgress.Describe(Session.Progress));
             if (Session.SecondsLeft < int.MaxValue)
                 Progress.SetRemainingTime(m_line, (long)Session.SecondsLeft);
         }

@@ -23,8 +23,8 @@ namespace FastPoints.Editor
         /// <summary>Files and folders that the cloud is made of, written alike; empty for a cloud that was imported in converted
         /// form.</summary>
         public List<string> Sources = new List<string>();
-        public bool IsFolder; // Whether the source is a folder, which a missing one does not show.
-        public bool IsOctree; // Whether they contain an octree (COPC, Potree, EPT) and can be streamed directly.
+        public bool IsSourceFolder; // Whether the source is a folder, which a missing one does not show.
+        public bool IsSourceOctree; // Whether they contain an octree (COPC, Potree, EPT) and can be streamed directly.
 
         /// <summary>The position that transforms move, georeferenced: where the cloud was first shown. Null until then.</summary>
         public double3? Origin;
@@ -43,7 +43,7 @@ namespace FastPoints.Editor
 
         public CloudUnits Units;
 
-        public void Describe(SourceInfo info)
+        public void SetFrom(SourceInfo info)
         {
             // These are the same at each import, whatever a conversion finds.
             if (!info.BoundsTrusted.IsEmpty)
@@ -56,7 +56,7 @@ namespace FastPoints.Editor
             Units = info.Crs.Units;
         }
 
-        public void Describe(string format, IReadOnlyList<CloudWarning> warnings)
+        public void SetFrom(string format, IReadOnlyList<CloudWarning> warnings)
         {
             Format = format;
             Warnings.Clear();
@@ -66,7 +66,7 @@ namespace FastPoints.Editor
                     : new CloudWarning(Path.GetFileName(warnings[i].Path), warnings[i].ByteOffset, warnings[i].Text).ToString());
         }
 
-        public void Describe(CloudManifest manifest)
+        public void SetFrom(CloudManifest manifest)
         {
             CloudId = manifest.CloudId;
             Points = manifest.Points;
@@ -82,9 +82,9 @@ namespace FastPoints.Editor
             foreach (string source in Sources)
                 json.Add(null, source);
             json.EndArray();
-            if (IsFolder)
+            if (IsSourceFolder)
                 json.Add("folder", true);
-            if (IsOctree)
+            if (IsSourceOctree)
                 json.Add("octree", true);
             if (Origin is double3 origin)
                 json.Add("origin", origin.x, origin.y, origin.z);
@@ -126,8 +126,8 @@ namespace FastPoints.Editor
                 CloudId = json.Hex("cloudId"),
                 CloudPath = json.Text("cloud"),
                 Sources = json.Texts("sources"),
-                IsFolder = json.Flag("folder"),
-                IsOctree = json.Flag("octree"),
+                IsSourceFolder = json.Flag("folder"),
+                IsSourceOctree = json.Flag("octree"),
                 Origin = json.Has("origin") ? json.Vector("origin") : (double3?)null,
                 OriginUp = AxisOf(json, "originUp"),
                 Stamp = stamp == null ? null : SourceStamp.Read(stamp),
@@ -136,8 +136,8 @@ namespace FastPoints.Editor
                 Points = json.Long("points"),
                 BoundsGeo = bounds == null ? BoundsGeo.Empty : new BoundsGeo(bounds.Vector("min"), bounds.Vector("max")),
                 Crs = json.TextOrNull("crs"),
-                Units = new CloudUnits(json.Double("metresPerUnit"), json.Has("verticalMetresPerUnit")
-                    ? json.Double("verticalMetresPerUnit") : 0),
+                Units = new CloudUnits(json.NumberOrNaN("metresPerUnit"), json.Has("verticalMetresPerUnit")
+                    ? json.NumberOrNaN("verticalMetresPerUnit") : 0),
             };
             if (handle.CloudPath.Length == 0)
                 throw json.Wrong("cloud", "wanted a folder, got nothing");

@@ -41,7 +41,7 @@ namespace FastPoints.Editor
             {
                 string manifest = Path.Combine(sources[0], StoreFormat.ManifestName);
                 handle.CloudPath = paths.Stored(sources[0]);
-                handle.Describe(CloudManifest.FromJson(StoreFile.ReadText(manifest), manifest));
+                handle.SetFrom(CloudManifest.FromJson(StoreFile.ReadText(manifest), manifest));
                 // The folder's extension says the same as the handle's own.
                 name = Path.GetFileNameWithoutExtension(name);
             }
@@ -50,8 +50,8 @@ namespace FastPoints.Editor
                 handle.CloudPath = paths.Stored(clouds.Next(name));
                 foreach (string source in sources)
                     handle.Sources.Add(paths.Stored(source));
-                handle.IsFolder = sources.Count == 1 && Directory.Exists(sources[0]);
-                handle.IsOctree = sources.Count == 1 && CloudSources.HasOctree(sources[0]);
+                handle.IsSourceFolder = sources.Count == 1 && Directory.Exists(sources[0]);
+                handle.IsSourceOctree = sources.Count == 1 && CloudSources.HasOctree(sources[0]);
                 if (readsHeader)
                     Describe(handle, sources);
             }
@@ -67,7 +67,7 @@ namespace FastPoints.Editor
             try
             {
                 var reader = PointReaders.Open(sources);
-                handle.Describe(reader.Info);
+                handle.SetFrom(reader.Info);
                 reader.DisposeUnread();
             }
             catch (PointCloudException)
@@ -95,7 +95,7 @@ namespace FastPoints.Editor
         {
             var handle = Read(path);
             string before = handle.ToJson();
-            handle.Describe(manifest);
+            handle.SetFrom(manifest);
             if (handle.Origin == null)
                 handle.OriginUp = up;
             // The header's bounds, if any: every machine finds the same origin, and the preview was placed with it.
@@ -103,7 +103,7 @@ namespace FastPoints.Editor
                 ? UnitySpace.Of(source.BoundsTrusted, source.Crs.Units, up).OriginGeo
                 : origin ?? UnitySpace.Of(manifest.BoundsGeo, manifest.Crs.Units, up).OriginGeo;
             if (source != null)
-                handle.Describe(source.Format, source.Warnings);
+                handle.SetFrom(source.Format, source.Warnings);
             handle.Stamp = stamp;
             if (handle.ToJson() != before)
                 Write(path, handle);

@@ -59,7 +59,7 @@ namespace FastPoints.Editor
         {
             string full = Absolute(path);
             string root = m_sourceRoot.Length == 0 ? null : Below(m_sourceRoot, full);
-            return (Below(Project, full) ?? (root == null ? StoredShared(full) : PointCloudPaths.InSources + root)).Replace(
+            return (Below(Project, full) ?? (root == null ? StoredShared(full) : PointCloudPaths.SourcesPrefix + root)).Replace(
                 Path.DirectorySeparatorChar, '/');
         }
 
@@ -78,16 +78,16 @@ namespace FastPoints.Editor
 
         /// <summary>The folder of a point cloud file in <c>Assets</c>, as its asset refers to it: by the asset's number, which
         /// stays the same when the file is renamed.</summary>
-        public static string OfAsset(string guid) => PointCloudPaths.InConvertedRoot + guid + StoreFormat.FolderExtension;
+        public static string OfAsset(string guid) => PointCloudPaths.ConvertedRootPrefix + guid + StoreFormat.FolderExtension;
 
         static string Inside(string folder) => Path.GetFullPath(folder).TrimEnd(Path.DirectorySeparatorChar,
             Path.AltDirectorySeparatorChar) + Path.DirectorySeparatorChar;
 
         public string Absolute(string stored) =>
-            Path.GetFullPath(stored.StartsWith(PointCloudPaths.InConvertedRoot, StringComparison.Ordinal)
-            ? Path.Combine(Clouds, stored.Substring(PointCloudPaths.InConvertedRoot.Length))
-            : m_sourceRoot.Length > 0 && stored.StartsWith(PointCloudPaths.InSources, StringComparison.Ordinal)
-            ? Path.Combine(m_sourceRoot, stored.Substring(PointCloudPaths.InSources.Length))
+            Path.GetFullPath(stored.StartsWith(PointCloudPaths.ConvertedRootPrefix, StringComparison.Ordinal)
+            ? Path.Combine(Clouds, stored.Substring(PointCloudPaths.ConvertedRootPrefix.Length))
+            : m_sourceRoot.Length > 0 && stored.StartsWith(PointCloudPaths.SourcesPrefix, StringComparison.Ordinal)
+            ? Path.Combine(m_sourceRoot, stored.Substring(PointCloudPaths.SourcesPrefix.Length))
             : Path.Combine(Project, stored));
     }
 }

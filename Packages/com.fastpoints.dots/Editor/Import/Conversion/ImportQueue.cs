@@ -40,7 +40,7 @@ namespace FastPoints.Editor
 
         public ConversionSession Session { get; private set; }
 
-        public bool IsHeld { get; set; }
+        public bool IsPausedByPlayMode { get; set; }
 
         public bool HasWork =>
             m_requests.Exists(r => r.State == ImportState.Waiting || r.State == ImportState.Running);
@@ -87,22 +87,22 @@ namespace FastPoints.Editor
             }
         }
 
-        public ImportRequest RequestOf(string asset) => m_requests.Find(r => r.Asset == asset);
+        public ImportRequest RequestOfAsset(string asset) => m_requests.Find(r => r.Asset == asset);
 
-        public ImportRequest RequestFor(string cloud) => m_requests.Find(r => IsSame(FolderOf(r), cloud));
+        public ImportRequest RequestOfCloud(string cloud) => m_requests.Find(r => IsSame(FolderOf(r), cloud));
 
         /// <summary>Continues the running conversion or begins the next one; called once an update.</summary>
         /// <param name="budgetMs">Main-thread time to use, not counting jobs.</param>
         public void Tick(double budgetMs, DateTime nowUtc)
         {
-            if (!HasLock(nowUtc))
+            if (!TryHoldLock(nowUtc))
                 return;
             if (m_isUnsaved && nowUtc >= m_nextRefresh)
             {
                 m_nextRefresh = nowUtc + s_refreshInterval;
                 Save();
             }
-            if (IsHeld)
+            if (IsPausedByPlayMode)
                 return;
             if (m_running?.State == ImportState.Paused && m_requests.Exists(r => r.State == ImportState.Waiting))
                 SuspendSession();
@@ -181,7 +181,7 @@ namespace FastPoints.Editor
 
         public void Dispose() => Suspend();
 
-        bool HasLock(DateTime nowUtc)
+        bool TryHoldLock(DateTime nowUtc)
         {
             if (m_lock != null)
             {
@@ -225,7 +225,7 @@ namespace FastPoints.Editor
             m_running.State = ImportState.Running;
             m_running.Attempts++;
             Save();
-            var sources = m_running.IsBuilt ? null : m_running.Sources.ConvertAll(m_paths.Absolute);
+            var sources = m_running.OnlyNormalsLeft ? null : m_running.Sources.ConvertAll(m_paths.Absolute);
             Session = new ConversionSession(sources, m_paths.Absolute(m_running.Cloud), m_settings(m_running));
         }
 
@@ -249,9 +249,9 @@ namespace FastPoints.Editor
                 request.State = ImportState.Failed;
                 request.Failure = session.Failure.Message;
             }
-            else if (session.State == ConversionState.Done && request.Normals && !request.IsBuilt)
+            else if (session.State == ConversionState.Done && request.AddsNormals && !request.OnlyNormalsLeft)
             {
-                (request.IsBuilt, request.State) = (true, ImportState.Waiting);
+                (request.OnlyNormalsLeft, request.State) = (true, ImportState.Waiting);
             }
             else
             {

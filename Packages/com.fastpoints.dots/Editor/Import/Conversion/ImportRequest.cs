@@ -15,10 +15,10 @@ namespace FastPoints.Editor
 
         public Sampler Sampler;
 
-        public bool Normals;
+        public bool AddsNormals;
 
         /// <summary>Only the normals are missing.</summary>
-        public bool IsBuilt { get; internal set; }
+        public bool OnlyNormalsLeft { get; internal set; }
 
         public ImportState State { get; internal set; }
 
@@ -32,7 +32,7 @@ namespace FastPoints.Editor
             json.BeginObject().Add("asset", Asset).Add("cloud", Cloud).BeginArray("sources");
             foreach (string source in Sources)
                 json.Add(null, source);
-            json.EndArray().Add("sampler", Sampler.ToString()).Add("normals", Normals).Add("isBuilt", IsBuilt)
+            json.EndArray().Add("sampler", Sampler.ToString()).Add("normals", AddsNormals).Add("isBuilt", OnlyNormalsLeft)
                 .Add("state", State.ToString()).Add("attempts", Attempts).Add("failure", Failure).EndObject();
         }
 
@@ -42,8 +42,8 @@ namespace FastPoints.Editor
             Cloud = json.Text("cloud"),
             Sources = json.Texts("sources"),
             Sampler = Named<Sampler>(json, "sampler"),
-            Normals = json.Flag("normals"),
-            IsBuilt = json.Flag("isBuilt"),
+            AddsNormals = json.Flag("normals"),
+            OnlyNormalsLeft = json.Flag("isBuilt"),
             State = Named<ImportState>(json, "state"),
             Attempts = (int)Math.Min(int.MaxValue, Math.Max(0, json.Long("attempts"))),
             Failure = json.TextOrNull("failure"),

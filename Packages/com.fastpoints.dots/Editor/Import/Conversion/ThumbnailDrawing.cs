@@ -46,7 +46,7 @@ namespace FastPoints.Editor
         public static ThumbnailDrawing OfFiles(IReadOnlyList<string> sources)
         {
             var reader = PointReaders.Open(sources);
-            var preview = new PreviewCloud(reader,
+            var preview = new PreviewPicture(reader,
                 new PreviewOptions { Points = PreviewPoints, Quick = true, Picture = Options });
             return new ThumbnailDrawing(preview.Run(null), () => preview.Image, preview, reader);
         }

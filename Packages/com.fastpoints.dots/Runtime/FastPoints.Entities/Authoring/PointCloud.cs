@@ -132,7 +132,7 @@ namespace FastPoints.Entities
             return exists;
         }
 
-        /// <summary>Its number in the stream, as hits of queries and PointCloudBuffers have it; -1 while it is not
+        /// <summary>Its number in the stream, as hits of queries and GatheredPoints have it; -1 while it is not
         /// shown.</summary>
         public int Number => TryGet(out var entities) && entities.HasComponent<StreamedPointCloud>(Entity)
             ? entities.GetComponentData<StreamedPointCloud>(Entity).Number : -1;
@@ -233,7 +233,7 @@ namespace FastPoints.Entities
         {
             var group = GroupOf(entities);
             if (group != null)
-                group.Live.Of(Entity).Object = gameObject;
+                group.Live.GetOrAdd(Entity).Object = gameObject;
         }
 
         PointCloudFile File => m_cloud != null ? m_cloud.File() : new PointCloudFile();

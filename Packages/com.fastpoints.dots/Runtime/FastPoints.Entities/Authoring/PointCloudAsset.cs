@@ -11,14 +11,14 @@ namespace FastPoints.Entities
     public sealed class PointCloudAsset : ScriptableObject
     {
         /// <summary>The folder in an editor: relative to the project with '/', absolute, or
-        /// <see cref="PointCloudPaths.InConvertedRoot"/>.</summary>
+        /// <see cref="PointCloudPaths.ConvertedRootPrefix"/>.</summary>
         public string ProjectPath;
 
         /// <summary>The folder below a player's streaming assets.</summary>
         public string PlayerPath;
 
         /// <summary>Files and folders that the cloud is made of, in an editor: relative to the project with '/', absolute, or
-        /// <see cref="PointCloudPaths.OfAsset"/>. They are shown until there is a converted folder.</summary>
+        /// <see cref="PointCloudPaths.AssetPrefix"/>. They are shown until there is a converted folder.</summary>
         public string[] ProjectSources = new string[0];
 
         /// <summary>The source below a player's streaming assets if the cloud can be streamed without conversion; otherwise

@@ -88,7 +88,7 @@ namespace FastPoints.Entities
         {
             Points = (long)math.round(MillionPoints * 1e6),
             PoolBytes = (long)MemoryMebibytes << 20,
-            UploadBytesPerFrame = UploadMebibytesPerFrame << 20,
+            MaxUploadBytesPerFrame = UploadMebibytesPerFrame << 20,
             MinNodePx = MinNodePx,
             FadeSeconds = FadeSeconds,
         };

@@ -25,7 +25,7 @@ namespace FastPoints.Entities
         public bool IsSearching => m_picker.IsSearching;
 
         /// <summary>Begins a search of the clouds as they are now; a search in progress is cancelled.</summary>
-        /// <param name="ray">See <see cref="Rendering.CameraViews.PickRayOf"/>.</param>
+        /// <param name="ray">See <see cref="Rendering.CameraViews.PickQueryOf"/>.</param>
         /// <returns>Whether there is a world that shows clouds.</returns>
         public bool Begin(PointQuery ray)
         {

@@ -13,7 +13,7 @@ namespace FastPoints.Entities
         public long PoolBytes;
 
         /// <summary>The most bytes that are copied to it in one frame.</summary>
-        public int UploadBytesPerFrame;
+        public int MaxUploadBytesPerFrame;
 
         /// <summary>Smallest size of a node on the screen, in pixels.</summary>
         public float MinNodePx;

@@ -22,14 +22,14 @@ namespace FastPoints.Entities
     {
         /// <summary>Prefix of a path in an editor if the folder is in the project's <see cref="ConvertedRoot"/>. Importers write
         /// it because they run in a process without the settings, and perhaps on another machine.</summary>
-        public const string InConvertedRoot = "<place>/";
+        public const string ConvertedRootPrefix = "<place>/";
 
         /// <summary>Prefix of the GUID of an asset that is a cloud itself. Moving that to another folder does not import it
         /// again.</summary>
-        public const string OfAsset = "<asset>/";
+        public const string AssetPrefix = "<asset>/";
 
         /// <summary>Prefix of a path in an editor if it is below <see cref="SourceRoot"/>.</summary>
-        public const string InSources = "${FASTPOINTS_SOURCES}/";
+        public const string SourcesPrefix = "${FASTPOINTS_SOURCES}/";
 
         /// <summary>The path of an asset by its GUID, where there is an editor.</summary>
         internal static Func<string, string> PathOfAsset { get; set; }
@@ -50,11 +50,11 @@ namespace FastPoints.Entities
         public string PlayerSource;
 
         /// <summary>The folder in an editor, which has no player's data: absolute, relative to the project, or
-        /// <see cref="InConvertedRoot"/>. If null, <see cref="Path"/> applies.</summary>
+        /// <see cref="ConvertedRootPrefix"/>. If null, <see cref="Path"/> applies.</summary>
         public string ProjectPath;
 
         /// <summary>Files and folders that the cloud is made of, in an editor: absolute, relative to the project, or
-        /// <see cref="OfAsset"/>. May be null.</summary>
+        /// <see cref="AssetPrefix"/>. May be null.</summary>
         public string[] ProjectSources;
 
         /// <summary>Writes them to an entity, in place of what was there.</summary>
@@ -86,7 +86,7 @@ namespace FastPoints.Entities
         /// <summary>The folder's absolute path.</summary>
         public readonly string FullPath => Application.isEditor && !string.IsNullOrEmpty(ProjectPath)
             ? InProject(ProjectPath)
-            : InAssets(Path ?? "");
+            : InStreamingAssets(Path ?? "");
 
         /// <summary>Absolute paths of what the cloud is made of; empty if unknown.</summary>
         public readonly string[] FullSources()
@@ -94,22 +94,22 @@ namespace FastPoints.Entities
             if (Application.isEditor && !string.IsNullOrEmpty(ProjectPath))
                 return ProjectSources == null ? new string[0] : Array.ConvertAll(ProjectSources, InProject);
             return string.IsNullOrEmpty(PlayerSource) ? new string[0]
-                : new[] { InAssets(PlayerSource) };
+                : new[] { InStreamingAssets(PlayerSource) };
         }
 
-        static string InAssets(string path) =>
+        static string InStreamingAssets(string path) =>
             SourcePath.IsRemote(path) ? path : System.IO.Path.Combine(Application.streamingAssetsPath, path);
 
         static string InProject(string path)
         {
             if (SourcePath.IsRemote(path))
                 return path;
-            if (path.StartsWith(InConvertedRoot, StringComparison.Ordinal))
-                path = System.IO.Path.Combine(ConvertedRoot, path.Substring(InConvertedRoot.Length));
-            else if (path.StartsWith(OfAsset, StringComparison.Ordinal))
-                path = PathOfAsset(path.Substring(OfAsset.Length));
-            if (path.StartsWith(InSources, StringComparison.Ordinal))
-                path = System.IO.Path.Combine(SourceRoot, path.Substring(SourceRoot.Length > 0 ? InSources.Length : 0));
+            if (path.StartsWith(ConvertedRootPrefix, StringComparison.Ordinal))
+                path = System.IO.Path.Combine(ConvertedRoot, path.Substring(ConvertedRootPrefix.Length));
+            else if (path.StartsWith(AssetPrefix, StringComparison.Ordinal))
+                path = PathOfAsset(path.Substring(AssetPrefix.Length));
+            if (path.StartsWith(SourcesPrefix, StringComparison.Ordinal))
+                path = System.IO.Path.Combine(SourceRoot, path.Substring(SourceRoot.Length > 0 ? SourcesPrefix.Length : 0));
             return System.IO.Path.GetFullPath(
                 System.IO.Path.Combine(System.IO.Path.GetDirectoryName(Application.dataPath), path));
         }

@@ -31,7 +31,7 @@ namespace FastPoints.Entities
                     !EntityManager.HasComponent<Prefab>(entity);
                 if (live.Versions != null && !(exists && EntityManager.HasComponent<StreamedPointCloud>(entity)))
                     Remove(entity, live);
-                else if (live.Source != null && exists && live.Versions == null &&
+                else if (live.NextSource != null && exists && live.Versions == null &&
                     !EntityManager.HasComponent<Disabled>(entity))
                     Add(entity, live);
                 if (live.Versions != null)
@@ -47,7 +47,7 @@ namespace FastPoints.Entities
                 ClearOwners();
         }
 
-        void Add(Entity entity, LiveCloud live)
+        void Add(Entity entity, EntityCloud live)
         {
             var versions = new CloudVersions(Group.Stream);
             if (!TryAdd(live, versions, EntityManager.GetComponentData<PointCloudPlacement>(entity).Value))
@@ -57,34 +57,34 @@ namespace FastPoints.Entities
             SetLook(entity, live.Look);
         }
 
-        bool TryAdd(LiveCloud live, CloudVersions versions, CloudPlacement? placement)
+        bool TryAdd(EntityCloud live, CloudVersions versions, CloudPlacement? placement)
         {
             try
             {
-                versions.Add(live.Source, placement, live.Stage);
-                live.Source = null;
+                versions.Add(live.NextSource, placement, live.Stage);
+                live.NextSource = null;
                 return true;
             }
             catch (Exception e)
             {
                 // Others' sources may throw anything: the next frame would try it again, and the clouds after it would wait.
-                var failure = PointCloudException.Of(live.Source.Path, e);
+                var failure = PointCloudException.Of(live.NextSource.Path, e);
                 live.Error = failure.Message;
-                Group.Stream.Report(new StreamFailure(live.Source.Path, -1, "cannot be shown: " + failure.FullMessage));
+                Group.Stream.Report(new StreamFailure(live.NextSource.Path, -1, "cannot be shown: " + failure.FullMessage));
                 live.DropSource();
                 return false;
             }
         }
 
-        void Follow(Entity entity, LiveCloud live)
+        void Follow(Entity entity, EntityCloud live)
         {
             var versions = live.Versions;
             var before = EntityManager.GetComponentData<StreamedPointCloud>(entity);
             int shown = before.Number;
-            if (live.Source != null)
+            if (live.NextSource != null)
                 TakeNext(entity, live);
             versions.Update();
-            if (versions.Cloud != shown)
+            if (versions.ShownNumber != shown)
                 Show(entity, live, shown);
             var placement = EntityManager.GetComponentData<PointCloudPlacement>(entity).Value;
             placement.Visibility = VisibilityOf(entity);
@@ -107,7 +107,7 @@ namespace FastPoints.Entities
             return visibility;
         }
 
-        void TakeNext(Entity entity, LiveCloud live)
+        void TakeNext(Entity entity, EntityCloud live)
         {
             if (!TryAdd(live, live.Versions, null))
                 return;
@@ -117,9 +117,9 @@ namespace FastPoints.Entities
                 live.Looks[live.Versions.Next] = EntityManager.GetComponentData<PointCloudLook>(entity);
         }
 
-        void Show(Entity entity, LiveCloud live, int before)
+        void Show(Entity entity, EntityCloud live, int before)
         {
-            int shown = live.Versions.Cloud;
+            int shown = live.Versions.ShownNumber;
             if (live.Looks.TryGetValue(shown, out var look))
             {
                 live.Looks.Remove(shown);
@@ -138,12 +138,12 @@ namespace FastPoints.Entities
 
         static StreamedPointCloud StreamedOf(CloudVersions states) => new StreamedPointCloud
         {
-            Number = states.Cloud,
+            Number = states.ShownNumber,
             Preview = states.Preview,
             Next = states.Next,
         };
 
-        void Remove(Entity entity, LiveCloud live)
+        void Remove(Entity entity, EntityCloud live)
         {
             live.Versions.Remove();
             live.Versions = null;

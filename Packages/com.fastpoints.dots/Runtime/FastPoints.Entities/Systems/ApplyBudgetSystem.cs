@@ -36,7 +36,7 @@ namespace FastPoints.Entities
             {
                 Points = settings.Selection.PointBudget,
                 PoolBytes = Group.Stream.Pool.LimitBytes,
-                UploadBytesPerFrame = settings.UploadBytesPerFrame,
+                MaxUploadBytesPerFrame = settings.MaxUploadBytesPerFrame,
                 MinNodePx = settings.Selection.MinNodePx,
                 FadeSeconds = settings.FadeSeconds,
             };
@@ -49,7 +49,7 @@ namespace FastPoints.Entities
             var settings = Group.Stream.Settings;
             settings.Selection.PointBudget = budget.Points;
             settings.Selection.MinNodePx = budget.MinNodePx;
-            settings.UploadBytesPerFrame = budget.UploadBytesPerFrame;
+            settings.MaxUploadBytesPerFrame = budget.MaxUploadBytesPerFrame;
             settings.FadeSeconds = budget.FadeSeconds;
             Group.Stream.Pool.LimitBytes = budget.PoolBytes;
         }

@@ -58,7 +58,7 @@ namespace FastPoints.Entities
             {
                 var file = EntityManager.GetComponentData<PointCloudFile>(entity);
                 var paths = PointCloudPaths.BytesOf(EntityManager.GetBuffer<PointCloudPathByte>(entity, true));
-                var live = Group.Live.Of(entity);
+                var live = Group.Live.GetOrAdd(entity);
                 bool isOpened = live.Opened != null, isSame = isOpened && live.Opened.Matches(file, paths);
                 if (isSame && (live.Error == null || !file.NeedsRefresh))
                 {
@@ -73,7 +73,7 @@ namespace FastPoints.Entities
                     live.Error = null;
                     continue;
                 }
-                bool isNew = live.Error == null && live.Source == null && live.Versions == null;
+                bool isNew = live.Error == null && live.NextSource == null && live.Versions == null;
                 if (paths.Length == 0 || paths[0] == 0 || !isOpened && !isNew && !file.NeedsRefresh)
                     continue;
                 live.Error = null;
@@ -86,7 +86,7 @@ namespace FastPoints.Entities
         }
 
         /// <summary>On Windows, older run times refuse paths with quotes and the like.</summary>
-        bool TryOpen(LiveCloud live, in PointCloudFile file, ReadOnlySpan<byte> paths)
+        bool TryOpen(EntityCloud live, in PointCloudFile file, ReadOnlySpan<byte> paths)
         {
             try
             {
@@ -103,7 +103,7 @@ namespace FastPoints.Entities
         }
 
         /// <param name="hides">Whether the shown cloud is removed.</param>
-        void End(Entity entity, LiveCloud live, bool hides)
+        void End(Entity entity, EntityCloud live, bool hides)
         {
             m_removing.Add(live.Opened);
             live.Opened = null;
@@ -125,7 +125,7 @@ namespace FastPoints.Entities
         void Move(Entity entity, in PointCloudFile file, OpenedCloud opened)
         {
             double3 local = default;
-            if (!opened.WorldShift.Equals(Group.Shift) && Group.Live.Of(entity).Object == null &&
+            if (!opened.WorldShift.Equals(Group.Shift) && Group.Live.GetOrAdd(entity).Object == null &&
                 EntityManager.HasComponent<LocalToWorld>(entity))
             {
                 var toWorld = new double4x4(EntityManager.GetComponentData<LocalToWorld>(entity).Value);
@@ -163,7 +163,7 @@ namespace FastPoints.Entities
                     End(entity, live, false);
         }
 
-        void Update(Entity entity, LiveCloud live, double budgetMs)
+        void Update(Entity entity, EntityCloud live, double budgetMs)
         {
             var file = EntityManager.GetComponentData<PointCloudFile>(entity);
             var opened = live.Opened;
@@ -196,9 +196,9 @@ namespace FastPoints.Entities
         }
 
         /// <summary>Takes one state after the other, each when the previous one is shown.</summary>
-        void Take(Entity entity, LiveCloud live, in PointCloudFile file)
+        void Take(Entity entity, EntityCloud live, in PointCloudFile file)
         {
-            if (live.Source != null || live.Versions != null && !live.Versions.IsCurrent)
+            if (live.NextSource != null || live.Versions != null && !live.Versions.IsCurrent)
                 return;
             var facts = live.Opened.Newest;
             var taken = live.Opened.Take(file);

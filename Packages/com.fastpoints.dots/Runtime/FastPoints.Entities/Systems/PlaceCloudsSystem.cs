@@ -26,7 +26,7 @@ namespace FastPoints.Entities
             foreach (var entity in entities)
             {
                 var live = Group.Live.Find(entity);
-                var source = live?.Versions == null ? live?.Source : Group.Stream.Clouds[live.Versions.Cloud].Source;
+                var source = live?.Versions == null ? live?.NextSource : Group.Stream.Clouds[live.Versions.ShownNumber].Source;
                 if (source == null)
                     continue;
                 var localToWorld = new double4x4(EntityManager.GetComponentData<LocalToWorld>(entity).Value);

@@ -97,7 +97,7 @@ namespace FastPoints.Entities
         /// <summary>What passes draw; null if <see cref="Begin"/> was called by hand.</summary>
         internal PointScene Scene { get; private set; }
 
-        internal readonly LiveClouds Live = new LiveClouds();
+        internal readonly EntityClouds Live = new EntityClouds();
 
         /// <summary>Whether files of clouds are being opened or polled, or have states to be taken.</summary>
         internal bool IsOpening { get; set; }
@@ -143,7 +143,7 @@ namespace FastPoints.Entities
         /// <param name="look">What becomes the entity's <see cref="PointCloudLook"/> when the source is shown; null keeps the
         /// current one.</param>
         public void SetSource(Entity cloud, NodeSource source, PointCloudLook? look = null,
-            CloudStage stage = CloudStage.Whole) => Live.Of(cloud).SetSource(source, look, stage);
+            CloudStage stage = CloudStage.Whole) => Live.GetOrAdd(cloud).SetSource(source, look, stage);
 
         protected override void OnCreate()
         {
@@ -230,7 +230,7 @@ namespace FastPoints.Entities
             }
         }
 
-        bool IsShown(Entity entity, LiveCloud live, string folder) =>
+        bool IsShown(Entity entity, EntityCloud live, string folder) =>
             live.Opened?.Path == folder && EntityManager.HasComponent<PointCloudFile>(entity);
 
         internal void ReuseViews() => m_views.AddRange(m_lastViews.AsArray());

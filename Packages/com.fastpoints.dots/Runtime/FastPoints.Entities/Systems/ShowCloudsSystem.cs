@@ -46,7 +46,7 @@ namespace FastPoints.Entities
         {
             if (cloud.Preview == CloudVersions.None && cloud.Next == CloudVersions.None)
                 return;
-            var looks = Group.Live.Of(entity).Looks;
+            var looks = Group.Live.GetOrAdd(entity).Looks;
             if (looks.TryGetValue(cloud.Preview, out var preview))
                 scene.SetLook(cloud.Preview, Lit(preview, light));
             if (looks.TryGetValue(cloud.Next, out var next))

@@ -151,7 +151,7 @@ namespace FastPoints.Entities
             {
                 if (live.Versions == null)
                     continue;
-                m_entityOfCloud[live.Versions.Cloud] = entity;
+                m_entityOfCloud[live.Versions.ShownNumber] = entity;
                 if (live.Versions.Preview != CloudVersions.None)
                     m_entityOfCloud[live.Versions.Preview] = entity;
                 if (live.Versions.Next != CloudVersions.None)

@@ -43,14 +43,14 @@ namespace FastPoints.Build
         {
             var checkpoints = new BuildCheckpoints(build, scatter, chunks);
             var folder = build.Folder;
-            int firstFiles = build.Map.Chunks.Length + 1;
+            int partitionFileCount = build.Map.Chunks.Length + 1;
             ulong identity = BuildIdentity.Of(build);
             string text = folder.ReadText(BuildFiles.JournalName);
             var journal = text == null ? null : BuildJournal.FromJson(text);
             bool isSame = journal != null && journal.Identity == identity &&
                 journal.Attributes.Length == build.Attributes.Count && (journal.CurrentStage == BuildJournal.Stage.Read
                     ? journal.Source < build.Readers.Count && journal.Statistics.Count == journal.Source + 1 &&
-                        journal.Records.Count == firstFiles
+                        journal.RecordCountOfFile.Count == partitionFileCount
                     : journal.Statistics.Count == build.Readers.Count);
             if (isSame)
                 build.UseFiles();
@@ -70,7 +70,7 @@ namespace FastPoints.Build
                     : "a build of this target was broken off that had other sources, settings or versions: began again";
             }
             checkpoints.m_mustClear = folder.HasLeftovers;
-            build.AddFirstFiles();
+            build.AddPartitionFiles();
             return checkpoints;
         }
 
@@ -91,7 +91,7 @@ namespace FastPoints.Build
                 yield break;
             yield return JobStep.Of(End());
             m_build.Files.Sync();
-            m_text = new NativeArray<byte>(Encoding.UTF8.GetBytes(Describe()), Allocator.Persistent);
+            m_text = new NativeArray<byte>(Encoding.UTF8.GetBytes(UpdateJournalText()), Allocator.Persistent);
             m_ticket = m_folder.Write(BuildFiles.JournalName, m_text);
         }
 
@@ -115,7 +115,7 @@ namespace FastPoints.Build
             Journal.LevelCount = levelCount;
             Journal.BytesOfPlane = bytesOfPlane;
             Journal.CurrentStage = BuildJournal.Stage.Done;
-            return m_folder.WriteText(BuildFiles.JournalName, Describe());
+            return m_folder.WriteText(BuildFiles.JournalName, UpdateJournalText());
         }
 
         public void Dispose()
@@ -127,16 +127,16 @@ namespace FastPoints.Build
             m_text = default;
         }
 
-        string Describe()
+        string UpdateJournalText()
         {
             Journal.Attributes = m_scatter.Attributes;
             Journal.PeakBytes = m_build.Files?.PeakBytes ?? 0;
-            Journal.Records.Clear();
-            Journal.RecordBytes.Clear();
+            Journal.RecordCountOfFile.Clear();
+            Journal.BlockBytesOfFile.Clear();
             for (int file = 0; file < m_build.Files?.FileCount; file++)
             {
-                Journal.Records.Add(m_build.Files.RecordsOf(file));
-                Journal.RecordBytes.Add(m_build.Files.BlocksOf(file).Bytes);
+                Journal.RecordCountOfFile.Add(m_build.Files.RecordsOf(file));
+                Journal.BlockBytesOfFile.Add(m_build.Files.BlocksOf(file).Bytes);
             }
             Journal.Chunks.Clear();
             if (Journal.CurrentStage == BuildJournal.Stage.Split || Journal.CurrentStage == BuildJournal.Stage.Index)

@@ -22,7 +22,7 @@ namespace FastPoints.Build
         public readonly PointSchema Attributes;
         public readonly CloudFolderWriter Folder;
 
-        public readonly SliceTimes Slices;
+        public readonly SliceTimes SliceTimes;
 
         /// <param name="target">Null where nothing is written.</param>
         /// <exception cref="PointCloudException">The sources' attributes differ, or the target cannot be written.</exception>
@@ -34,7 +34,7 @@ namespace FastPoints.Build
             Target = target;
             Attributes = AttributeChoice.Of(readers, settings.Attributes);
             Folder = target == null ? null : new CloudFolderWriter(target);
-            Slices = new SliceTimes(Allocator.Persistent);
+            SliceTimes = new SliceTimes(Allocator.Persistent);
         }
 
         /// <summary>The same for a part of a cloud, whose grid and chunks are planned.</summary>
@@ -50,7 +50,7 @@ namespace FastPoints.Build
             Target = target;
             Attributes = part.Attributes;
             Folder = new CloudFolderWriter(target);
-            Slices = new SliceTimes(Allocator.Persistent);
+            SliceTimes = new SliceTimes(Allocator.Persistent);
             CloudId = part.CloudId;
             Grid = new GridChoice { Grid = part.Grid, Records = part.Records, Sources = new SourceGrid[readers.Count] };
             for (int i = 0; i < readers.Count; i++)
@@ -139,7 +139,7 @@ namespace FastPoints.Build
             if (Files == null && (free < 0 || free >= Points * Records.StrideBytes))
             {
                 UseFiles();
-                AddFirstFiles();
+                AddPartitionFiles();
             }
             return Files != null;
         }
@@ -154,7 +154,7 @@ namespace FastPoints.Build
                     free));
         }
 
-        public void AddFirstFiles()
+        public void AddPartitionFiles()
         {
             while (Files != null && Files.FileCount < Map.Chunks.Length + 1)
                 Files.Add();
@@ -169,7 +169,7 @@ namespace FastPoints.Build
         {
             Map?.Dispose();
             Files?.Dispose();
-            Slices.Dispose();
+            SliceTimes.Dispose();
             if (Pool.IsCreated)
             {
                 RecordPagePool.Of(Pool).FreeAll();

@@ -107,13 +107,13 @@ namespace FastPoints.Build
                 job.Complete();
                 long largest = 0;
                 foreach (var part in parts)
-                    largest = Math.Max(largest, part.Count);
+                    largest = Math.Max(largest, part.RecordCount);
                 workspace.Reserve((int)largest);
                 for (int i = 0; i < all.Length || inWork.Count > 0;)
                 {
                     if (i < all.Length && inWork.Count < MaxTopsInFlight)
                     {
-                        if (results[i] == null && parts[i].Count > 0)
+                        if (results[i] == null && parts[i].RecordCount > 0)
                         {
                             var next = spare.Count > 0 ? spare.Pop() : m_build.CreateIndexer(store, manifest);
                             next.BeginTop(all[i], parts[i], i, workspace);
@@ -128,7 +128,7 @@ namespace FastPoints.Build
                     var indexer = inWork.Dequeue();
                     spare.Push(indexer);
                     indexer.Job.Complete();
-                    m_build.Slices.Take(indexer.SliceTimes);
+                    m_build.SliceTimes.Add(indexer.SliceTimes);
                     int c = indexer.Number;
                     results[c] = ChunkResult.OfTop(indexer);
                     results[c].Checksum = indexer.Checksum;

@@ -34,9 +34,9 @@ namespace FastPoints.Build
         public readonly List<PointStatistics> Statistics = new List<PointStatistics>();
         public AttributeStatistics[] Attributes = new AttributeStatistics[0];
 
-        public readonly List<long> Records = new List<long>();
+        public readonly List<long> RecordCountOfFile = new List<long>();
 
-        public readonly List<long> RecordBytes = new List<long>();
+        public readonly List<long> BlockBytesOfFile = new List<long>();
         public readonly List<Chunk> Chunks = new List<Chunk>(); // Present from Stage.Split on.
         public GridCube Root;
 
@@ -66,10 +66,10 @@ namespace FastPoints.Build
                     .Add("notDoubled", found.Modulo257Or).EndObject();
             }
             json.EndArray().BeginArray("records");
-            foreach (long count in Records)
+            foreach (long count in RecordCountOfFile)
                 json.Add(null, count);
             json.EndArray().BeginArray("recordBytes");
-            foreach (long bytes in RecordBytes)
+            foreach (long bytes in BlockBytesOfFile)
                 json.Add(null, bytes);
             json.EndArray().BeginArray("chunks");
             foreach (var chunk in Chunks)
@@ -120,7 +120,7 @@ namespace FastPoints.Build
                     Min = item.Hex("min"),
                     Max = item.Hex("max"),
                     Or = item.Hex("or"),
-                    Modulo257Or = (uint)item.Count("notDoubled", uint.MaxValue),
+                    Modulo257Or = (uint)item.NonNegative("notDoubled", uint.MaxValue),
                 }).ToArray(),
                 BytesOfPlane = json.Longs("bytesOfPlane"),
             };
@@ -133,14 +133,14 @@ namespace FastPoints.Build
                 Checksum = item.Hex("checksum"),
                 MaxRoundingSteps = item.Number("worstLossSteps"),
             }));
-            journal.Records.AddRange(json.Longs("records"));
-            journal.RecordBytes.AddRange(json.Longs("recordBytes"));
+            journal.RecordCountOfFile.AddRange(json.Longs("records"));
+            journal.BlockBytesOfFile.AddRange(json.Longs("recordBytes"));
             foreach (var item in json.Objects("chunks"))
             {
                 journal.Chunks.Add(new Chunk
                 {
                     Cube = new GridCube(ReadPosition(item, "corner"), item.Int("sideLog2")),
-                    Ranges = item.Lists("runs", 3).ConvertAll(range => new RecordRange
+                    Ranges = item.LongLists("runs", 3).ConvertAll(range => new RecordRange
                     {
                         File = checked((int)range[0]),
                         First = range[1],

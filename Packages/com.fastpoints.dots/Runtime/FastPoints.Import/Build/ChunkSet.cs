@@ -28,7 +28,7 @@ namespace FastPoints.Build
 
             public void Add(ref RecordPages pages)
             {
-                Count += pages.Count;
+                Count += pages.RecordCount;
                 Pages.Join(ref pages);
             }
 
@@ -49,7 +49,7 @@ namespace FastPoints.Build
             m_build = build;
             // The pages that parts of chunks may take until they go to files.
             m_maxPages = build.Plan.MaxPages / 2;
-            m_load = new RecordLoad(build, build.Slices);
+            m_load = new RecordLoad(build, build.SliceTimes);
         }
 
         public IReadOnlyList<Chunk> Chunks => m_chunks;
@@ -62,7 +62,7 @@ namespace FastPoints.Build
 
         public void Add(GridCube cube, ref RecordPages pages)
         {
-            if (pages.Count > 0)
+            if (pages.RecordCount > 0)
             {
                 var chunk = new Chunk { Cube = cube };
                 chunk.Add(ref pages);
@@ -96,7 +96,7 @@ namespace FastPoints.Build
             {
                 Pages = pages,
                 StrideBytes = m_build.Records.StrideBytes,
-                Slices = m_build.Slices,
+                SliceTimes = m_build.SliceTimes,
             }, default);
             try
             {
@@ -128,7 +128,7 @@ namespace FastPoints.Build
                     pages = m_load.Complete();
                 }
                 yield return JobStep.Of(Write(BuildFiles.OutsideName, pages, written, bytes => written += bytes));
-                done += pages.Count;
+                done += pages.RecordCount;
                 Return(ref pages);
             }
             yield return JobStep.Of(CloudFolderWriter.Await(m_build.Folder.SyncRecords(BuildFiles.OutsideName)));
@@ -219,7 +219,7 @@ namespace FastPoints.Build
                     counts = new NativeArray<long>(1 << 3 * levels, Allocator.Persistent);
                     var job = new CountCellsJob
                     {
-                        Slices = m_build.Slices,
+                        SliceTimes = m_build.SliceTimes,
                         Layout = m_build.Records,
                         Cells = cells,
                         PointsOfCell = counts,
@@ -258,9 +258,9 @@ namespace FastPoints.Build
         {
             int partPages = (int)(RecordsPerPart(target) / RecordPages.RecordsPerPage);
             m_chunks.Remove(chunk);
-            while (chunk.Pages.Count > 0)
+            while (chunk.Pages.RecordCount > 0)
             {
-                var part = chunk.Pages.Cut(partPages);
+                var part = chunk.Pages.DetachFirst(partPages);
                 Add(chunk.Cube, ref part);
             }
             long partRecords = RecordsPerPart(target), room = 0;
@@ -319,7 +319,7 @@ namespace FastPoints.Build
                 Corner = corner,
                 Chunks = lists,
                 Pool = m_build.Pool,
-                Slices = m_build.Slices,
+                SliceTimes = m_build.SliceTimes,
             }.Schedule(before);
             try
             {
@@ -328,7 +328,7 @@ namespace FastPoints.Build
                 if (!isStored)
                 {
                     while (chunk.Pages.PageCount > 0)
-                        job = Schedule(chunk.Pages.Cut(DistributeRecordsJob.PagesPerSlice), job);
+                        job = Schedule(chunk.Pages.DetachFirst(DistributeRecordsJob.PagesPerSlice), job);
                     yield return job;
                     job.Complete();
                 }
@@ -342,20 +342,20 @@ namespace FastPoints.Build
                     if (first + PagesPerBatch * RecordPages.RecordsPerPage < chunk.Count)
                         BeginBatch(chunk, first + PagesPerBatch * RecordPages.RecordsPerPage);
                     while (loaded.PageCount > 0)
-                        job = Schedule(loaded.Cut(DistributeRecordsJob.PagesPerSlice), job);
+                        job = Schedule(loaded.DetachFirst(DistributeRecordsJob.PagesPerSlice), job);
                     yield return job;
                     job.Complete();
                     if (m_build.Pool.Value.PagesInUse > m_maxPages)
                         AppendParts(lists, fileOfPart, false);
                     if (Files.PagesWaiting > m_maxPages)
                         yield return JobStep.Of(AwaitWrites(m_maxPages));
-                    TakeWritten();
+                    ReturnWritten();
                 }
                 if (isStored)
                 {
                     AppendParts(lists, fileOfPart, true);
                     yield return JobStep.Of(AwaitWrites(0));
-                    Files.TakeSlices(m_build.Slices);
+                    Files.AddSliceTimesTo(m_build.SliceTimes);
                 }
                 m_chunks.Remove(chunk);
                 for (int i = 0; i < cubes.Length; i++)
@@ -367,7 +367,7 @@ namespace FastPoints.Build
                     else
                         Add(cubes[i], ref pages);
                 }
-                TakeWritten();
+                ReturnWritten();
                 yield return JobStep.Of(RunOnRebalanced());
                 foreach (var range in chunk.Ranges)
                     Files.Release(range.File);
@@ -430,7 +430,7 @@ namespace FastPoints.Build
         {
             var batches = new List<RecordPages>();
             while (pages.PageCount > 0)
-                batches.Add(pages.Cut(PagesPerBatch));
+                batches.Add(pages.DetachFirst(PagesPerBatch));
             return batches;
         }
 
@@ -442,17 +442,17 @@ namespace FastPoints.Build
             for (int i = 0; i < lists.Length; i++)
             {
                 var list = lists[i];
-                Files.Append(fileOfPart[i], all ? list.Cut(list.PageCount) : list.CutFull());
+                Files.Append(fileOfPart[i], all ? list.DetachFirst(list.PageCount) : list.DetachFull());
                 lists[i] = list;
             }
         }
 
-        void TakeWritten()
+        void ReturnWritten()
         {
             if (Files == null)
                 return;
             Files.Poll(0);
-            var written = Files.TakeWritten();
+            var written = Files.RemoveWritten();
             Return(ref written);
         }
 

@@ -65,13 +65,13 @@ namespace FastPoints.Build
         }
 
         /// <summary>One entry a file, tiles of a reader apart, by what is known before it is read.</summary>
-        public static IEnumerable<CloudSource> SourcesOf(PointReader reader)
+        public static IEnumerable<SourceEntry> SourcesOf(PointReader reader)
         {
             var info = reader.Info;
             var tiles = reader.Unfiltered as TiledReader;
             for (int t = 0; t < (tiles?.TileCount ?? 1); t++)
             {
-                var source = tiles != null ? tiles.TileOf(t) : new CloudSource
+                var source = tiles != null ? tiles.TileOf(t) : new SourceEntry
                 {
                     Name = info.Path,
                     FileBytes = info.FileBytes,
@@ -85,9 +85,9 @@ namespace FastPoints.Build
         }
 
         /// <summary>The same with the points that were found.</summary>
-        public static List<CloudSource> SourcesOf(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics)
+        public static List<SourceEntry> SourcesOf(IReadOnlyList<PointReader> readers, IReadOnlyList<PointStatistics> statistics)
         {
-            var sources = new List<CloudSource>();
+            var sources = new List<SourceEntry>();
             for (int i = 0; i < readers.Count; i++)
             {
                 foreach (var known in SourcesOf(readers[i]))

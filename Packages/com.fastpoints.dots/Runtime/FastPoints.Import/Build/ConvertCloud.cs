@@ -112,14 +112,14 @@ namespace FastPoints.Build
                 {
                     reader.MaxJobs = m_build.Settings.Workers;
                     if (!reader.BlocksAreKnown)
-                        yield return JobStep.Of(reader.FindBlocks());
+                        yield return JobStep.Of(reader.IndexBlocks());
                     yield return JobStep.Of(SourceSample.Read(reader, m_build.InFlightMs, m_build.Settings.Workers,
                         MemoryPlan.ReadBytesOf(m_build.Settings),
                         (stored, loaded) => MeasureSampleJob.Schedule(new MeasureSampleJob
                         {
                             Stored = stored,
                             Statistics = statistics,
-                            Slices = m_build.Slices,
+                            SliceTimes = m_build.SliceTimes,
                         }, loaded), m_samples.Add));
                     m_sampleStatistics.Add(statistics.Value);
                 }
@@ -134,7 +134,7 @@ namespace FastPoints.Build
         {
             m_build.Choose(m_sampleStatistics);
             var cube = RootCube.Guess(m_build.Readers, m_sampleStatistics, m_build.Grid);
-            yield return JobStep.Of(PartitionPlan.Of(cube, m_samples, m_build.Grid, m_build.Plan, m_build.Slices,
+            yield return JobStep.Of(PartitionPlan.Of(cube, m_samples, m_build.Grid, m_build.Plan, m_build.SliceTimes,
                 map => m_build.Map = map));
             m_build.CloudId = CloudIdentity.Of(m_build);
             foreach (var sample in m_samples)
@@ -150,7 +150,7 @@ namespace FastPoints.Build
             yield return JobStep.Of(m_checkpoints.Prepare());
             m_generations = new BuildGenerations(m_build);
             // What the folder is for, if the build is killed.
-            var sources = new List<CloudSource>();
+            var sources = new List<SourceEntry>();
             foreach (var reader in m_build.Readers)
                 sources.AddRange(CloudDescription.SourcesOf(reader));
             yield return JobStep.Of(m_build.Folder.WriteText(StoreFormat.SourcesName, StoredSources.ToJson(sources)));
@@ -229,7 +229,8 @@ namespace FastPoints.Build
                 TemporaryBytesPeak = m_build.Files == null ? 0 : m_build.Files.PeakBytes,
                 PointsPerChunk = m_build.Plan.PointsPerChunk,
                 Note = m_checkpoints.Note,
-                SliceMs = new[] { m_build.Slices.QuantileMs(0.5), m_build.Slices.QuantileMs(0.99), m_build.Slices.QuantileMs(1) },
+                SliceMs = new[] { m_build.SliceTimes.QuantileMs(0.5), m_build.SliceTimes.QuantileMs(0.99),
+                    m_build.SliceTimes.QuantileMs(1) },
                 BytesOfPlane = journal.BytesOfPlane,
                 PlaneNames = new string[journal.BytesOfPlane.Length],
             };

@@ -265,7 +265,7 @@ namespace FastPoints.Build
                 slot.Outside.Value = 0;
                 ready = CheckRecordsJob.Schedule(new CheckRecordsJob
                 {
-                    Slices = slot.Indexer.SliceTimes,
+                    SliceTimes = slot.Indexer.SliceTimes,
                     Pages = chunk.Pages,
                     Layout = m_build.Records,
                     Cube = chunk.Cube,
@@ -356,7 +356,7 @@ namespace FastPoints.Build
         {
             var indexer = slot.Indexer;
             var result = ChunkResult.Of(indexer);
-            m_build.Slices.Take(indexer.SliceTimes);
+            m_build.SliceTimes.Add(indexer.SliceTimes);
             m_results[slot.Chunk] = result;
             var pages = indexer.Pages;
             RecordPagePool.Of(m_build.Pool).Return(ref pages);

@@ -46,7 +46,7 @@ namespace FastPoints.Build
                             CodeOfPoint = codes,
                             First = first + begin,
                             Hash = hash,
-                            Slices = slices,
+                            SliceTimes = slices,
                         }.Schedule(coded);
                     foreach (var range in samples[i].Ranges)
                         ranges.Add(new SampleRange
@@ -102,7 +102,7 @@ namespace FastPoints.Build
         public NativeArray<uint> CodeOfPoint; // Codes of all sources' samples; this slice's begin at First.
         public int First;
         public NativeReference<ulong> Hash; // Of all slices until now, in their order.
-        public SliceTimes Slices;
+        public SliceTimes SliceTimes;
 
         public void Execute()
         {
@@ -120,7 +120,7 @@ namespace FastPoints.Build
                     ? (uint)Morton.Encode(CellOf(x - Cube.Corner.X), CellOf(y - Cube.Corner.Y), CellOf(z - Cube.Corner.Z))
                     : DensityNumbers.OutsideCode;
             }
-            Slices.End(begin);
+            SliceTimes.End(begin);
         }
 
         /// <summary>The cell of an offset. In a small cube cells are parts of a grid step: its positions are in the first of

@@ -66,7 +66,7 @@ namespace FastPoints.Build
                 Corner = corner,
                 Chunks = parts,
                 Pool = m_pool,
-                Slices = m_slices,
+                SliceTimes = m_slices,
             };
             var all = default(JobHandle);
             for (; job.FirstPage < m_pages.PageCount; job.FirstPage += DistributeRecordsJob.PagesPerSlice)
@@ -136,7 +136,7 @@ namespace FastPoints.Build
                 (byte*)Unity.Collections.LowLevel.Unsafe.NativeArrayUnsafeUtility.GetUnsafeReadOnlyPtr(slot.Records),
                 slot.FirstOfChunk[m_build.Map.Outside]);
             var statistics = Statistics;
-            statistics.Include(slot.TakeStatistics(Attributes));
+            statistics.Include(slot.CollectStatistics(Attributes));
             Statistics = statistics;
         }
 

@@ -90,7 +90,7 @@ namespace FastPoints.Build
                     }
                 }
                 var found = journal.Statistics[source];
-                found.Include(m_scatter.TakeStatistics());
+                found.Include(m_scatter.CollectStatistics());
                 journal.Statistics[source] = found;
                 journal.Block = end;
                 journal.PointsWanted += m_build.TakePointsWanted?.Invoke() ?? 0;

@@ -64,21 +64,21 @@ namespace FastPoints.Build
         /// <returns>Whether they all exist, except those of chunks that may be done; otherwise none is used.</returns>
         public bool TryResume(BuildJournal journal)
         {
-            var users = new int[journal.Records.Count];
-            if (journal.RecordBytes.Count != users.Length)
+            var users = new int[journal.RecordCountOfFile.Count];
+            if (journal.BlockBytesOfFile.Count != users.Length)
                 return false;
             bool isReading = journal.CurrentStage == BuildJournal.Stage.Read;
             foreach (var chunk in journal.Chunks)
                 foreach (var range in chunk.Ranges)
                     if (range.File < 0 || range.File >= users.Length || range.First < 0 || range.Count < 0 ||
-                        range.First > journal.Records[range.File] - range.Count)
+                        range.First > journal.RecordCountOfFile[range.File] - range.Count)
                         return false;
                     else
                         users[range.File]++;
             var known = new HashSet<string>();
             for (int file = 0; file < users.Length; file++)
             {
-                long bytes = isReading || users[file] > 0 ? journal.RecordBytes[file] : 0;
+                long bytes = isReading || users[file] > 0 ? journal.BlockBytesOfFile[file] : 0;
                 if (!m_folder.Truncate(BuildFiles.RecordPath(file), bytes) &&
                     journal.CurrentStage != BuildJournal.Stage.Index)
                     return false;
@@ -93,8 +93,8 @@ namespace FastPoints.Build
                 bool isUsed = isReading || users[file] > 0;
                 Add();
                 m_usersOfFile[file] = isReading ? 1 : users[file];
-                m_recordsOfFile[file] = isUsed ? journal.Records[file] : 0;
-                m_files[file] = new RecordBlocks(PathOf(file), isUsed ? journal.RecordBytes[file] : 0);
+                m_recordsOfFile[file] = isUsed ? journal.RecordCountOfFile[file] : 0;
+                m_files[file] = new RecordBlocks(PathOf(file), isUsed ? journal.BlockBytesOfFile[file] : 0);
                 Count(m_files[file].Bytes);
             }
             return true;
@@ -129,15 +129,15 @@ namespace FastPoints.Build
 
         public void Append(int file, RecordPages pages)
         {
-            if (pages.Count == 0)
+            if (pages.RecordCount == 0)
                 return;
             m_notSynced.Add(file);
-            m_recordsOfFile[file] += pages.Count;
+            m_recordsOfFile[file] += pages.RecordCount;
             PagesWaiting += pages.PageCount;
             while (pages.PageCount > 0)
             {
-                var run = pages.Cut(PackRecordsJob.PagesPerRun);
-                m_lastPacked = new PackRecordsJob { Pages = run, StrideBytes = m_strideBytes, Slices = m_slices }
+                var run = pages.DetachFirst(PackRecordsJob.PagesPerRun);
+                m_lastPacked = new PackRecordsJob { Pages = run, StrideBytes = m_strideBytes, SliceTimes = m_slices }
                     .Schedule(m_lastPacked);
                 m_pendingPacks.Enqueue(new PendingWrite { File = file, Packed = m_lastPacked, Pages = run });
             }
@@ -182,7 +182,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>Pages that were written, for the pool.</summary>
-        public RecordPages TakeWritten()
+        public RecordPages RemoveWritten()
         {
             var pages = m_written;
             m_written = default;
@@ -190,10 +190,10 @@ namespace FastPoints.Build
         }
 
         /// <summary>When no page waits: adds how long packing took.</summary>
-        public void TakeSlices(SliceTimes all)
+        public void AddSliceTimesTo(SliceTimes all)
         {
             m_lastPacked.Complete();
-            all.Take(m_slices);
+            all.Add(m_slices);
         }
 
         public void AddUser(int file) => m_usersOfFile[file]++;

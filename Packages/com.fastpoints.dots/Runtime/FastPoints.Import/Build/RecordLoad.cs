@@ -60,7 +60,7 @@ namespace FastPoints.Build
                     Requests = parts.GetSubArray(part, Math.Min(UnpackRecordsJob.PartsPerRun, m_partCount - part)),
                     StrideBytes = m_build.Records.StrideBytes,
                     Damaged = m_damaged,
-                    Slices = m_slices,
+                    SliceTimes = m_slices,
                 }.Schedule(Done);
         }
 
@@ -106,7 +106,7 @@ namespace FastPoints.Build
                     part.Records = RecordPages.RecordsOf(to) + (long)to->Count * stride;
                     m_parts[m_partCount++] = part;
                     to->Count += part.Count;
-                    m_pages.Count += part.Count;
+                    m_pages.RecordCount += part.Count;
                     part.First += part.Count;
                     first += part.Count;
                     count -= part.Count;
@@ -201,7 +201,7 @@ namespace FastPoints.Build
         [ReadOnly] public NativeArray<UnpackRequest> Requests;
         public int StrideBytes;
         public NativeReference<int> Damaged;
-        public SliceTimes Slices;
+        public SliceTimes SliceTimes;
 
         public void Execute()
         {
@@ -209,7 +209,7 @@ namespace FastPoints.Build
             foreach (var part in Requests)
                 if (!RecordBlock.Unpack(part, StrideBytes))
                     Damaged.Value++;
-            Slices.End(begin);
+            SliceTimes.End(begin);
         }
     }
 
@@ -226,7 +226,7 @@ namespace FastPoints.Build
 
         public NativeReference<int> Outside;
 
-        public SliceTimes Slices;
+        public SliceTimes SliceTimes;
 
         /// <summary>Schedules the check of a list. All its pages are there already, and may get their records later.</summary>
         public static JobHandle Schedule(CheckRecordsJob job, JobHandle loaded)
@@ -259,7 +259,7 @@ namespace FastPoints.Build
                 }
             }
             Outside.Value += outside;
-            Slices.End(begin);
+            SliceTimes.End(begin);
         }
     }
 }

@@ -34,7 +34,7 @@ namespace FastPoints.Build
 
         public long PointsDone { get; private set; }
 
-        /// <summary>Sum of all that <see cref="TakeStatistics"/> added.</summary>
+        /// <summary>Sum of all that <see cref="CollectStatistics"/> added.</summary>
         public PointStatistics Statistics { get; private set; } = PointStatistics.None;
 
         public AttributeStatistics[] Attributes { get; }
@@ -76,11 +76,11 @@ namespace FastPoints.Build
                 FirstOfChunk = s.FirstOfChunk,
                 Chunks = m_chunks,
                 Pool = m_build.Pool,
-                Returned = files == null ? default : files.TakeWritten(),
+                WrittenPages = files == null ? default : files.RemoveWritten(),
                 MaxPages = m_build.Plan.MaxPages,
                 PagesDetached = m_pagesDetached,
                 Detached = s.Detached,
-                Slices = s.Slices,
+                SliceTimes = s.Slices,
             }.Schedule(JobHandle.CombineDependencies(grouped, m_lastAppend));
             return m_lastAppend;
         }
@@ -109,13 +109,13 @@ namespace FastPoints.Build
 
         /// <summary>When a scan has ended: takes in what it showed.</summary>
         /// <returns>What is new.</returns>
-        public PointStatistics TakeStatistics()
+        public PointStatistics CollectStatistics()
         {
             m_lastAppend.Complete();
             m_lastAppend = default;
             var found = PointStatistics.None;
             foreach (var slot in m_slots)
-                found.Include(slot.TakeStatistics(Attributes));
+                found.Include(slot.CollectStatistics(Attributes));
             var all = Statistics;
             all.Include(found);
             Statistics = all;
@@ -135,7 +135,7 @@ namespace FastPoints.Build
                 files.Poll(1);
                 yield return default;
             }
-            var written = files.TakeWritten();
+            var written = files.RemoveWritten();
             RecordPagePool.Of(m_build.Pool).Return(ref written);
             m_pagesDetached.Value = 0;
         }
@@ -143,11 +143,11 @@ namespace FastPoints.Build
         /// <summary>Coroutine, after a source's scan: frees what the next source has no use for, a part a step.</summary>
         public IEnumerator<JobStep> EndSource()
         {
-            m_build.Files?.TakeSlices(m_build.Slices);
+            m_build.Files?.AddSliceTimesTo(m_build.SliceTimes);
             for (; m_slots.Count > 0; m_slots.RemoveAt(m_slots.Count - 1))
             {
                 var slot = m_slots[m_slots.Count - 1];
-                m_build.Slices.Take(slot.Slices);
+                m_build.SliceTimes.Add(slot.Slices);
                 slot.Dispose();
                 yield return default;
             }
@@ -177,14 +177,14 @@ namespace FastPoints.Build
         public NativeArray<RecordPages> Chunks;
         public NativeReference<RecordPagePool> Pool;
 
-        public RecordPages Returned;
+        public RecordPages WrittenPages;
 
         public long MaxPages;
 
         public NativeReference<long> PagesDetached;
         public NativeList<DetachedRecordPages> Detached; // Out: full pages to be written, each once.
 
-        public SliceTimes Slices;
+        public SliceTimes SliceTimes;
 
         public void Execute()
         {
@@ -192,8 +192,8 @@ namespace FastPoints.Build
             var records = (byte*)Records.GetUnsafeReadOnlyPtr();
             var chunks = (RecordPages*)Chunks.GetUnsafePtr();
             ref var pool = ref RecordPagePool.Of(Pool);
-            long detached = PagesDetached.Value - Returned.PageCount;
-            pool.Return(ref Returned);
+            long detached = PagesDetached.Value - WrittenPages.PageCount;
+            pool.Return(ref WrittenPages);
             Detached.Clear();
             for (int c = 0; c < Chunks.Length; c++)
             {
@@ -204,7 +204,7 @@ namespace FastPoints.Build
             if (pool.PagesInUse - detached > MaxPages)
                 detached += Detach(chunks, pool.PagesInUse - detached - MaxPages / 4 * 3);
             PagesDetached.Value = detached;
-            Slices.End(begin);
+            SliceTimes.End(begin);
         }
 
         long Detach(RecordPages* chunks, long wanted)
@@ -216,7 +216,7 @@ namespace FastPoints.Build
                 for (int c = 1; c < Chunks.Length; c++)
                     if (chunks[c].PageCount > chunks[largest].PageCount)
                         largest = c;
-                var pages = chunks[largest].CutFull();
+                var pages = chunks[largest].DetachFull();
                 if (pages.PageCount == 0)
                     break;
                 done += pages.PageCount;

@@ -178,7 +178,7 @@ namespace FastPoints.Build
                 m_indexer.BeginUpper(records, tops, container, isRoot, m_workspace);
                 yield return m_indexer.Job;
                 m_indexer.Job.Complete();
-                m_build.Slices.Take(m_indexer.SliceTimes);
+                m_build.SliceTimes.Add(m_indexer.SliceTimes);
 
                 var region = TakeRegion(container);
                 bool hasNodes = Attach(members, tops, region) || region.Subtree.NodeCount > 0;

@@ -153,7 +153,7 @@ namespace FastPoints.E57
         }
     }
 
-    sealed class E57BlockRead : SlotRead
+    sealed class E57BlockRead : OwningBlockRead
     {
         const int VectorRows = 6;
 

@@ -6,7 +6,7 @@ using Unity.Collections;
 namespace FastPoints.E57
 {
     // E57 (ASTM E2807-11): the points of all scans, one scan after the other, moved to where their poses put them. A
-    // walk over packet headers finds where records lie (FindBlocks). Points that a scan marks as invalid are left out
+    // walk over packet headers finds where records lie (IndexBlocks). Points that a scan marks as invalid are left out
     // and counted, points in a page with a wrong checksum with a warning. Images are named, not read.
     internal sealed class E57Reader : PointReader
     {
@@ -85,7 +85,7 @@ namespace FastPoints.E57
             return (long)((section.End - section.DataStart) * (range.Count / (double)Math.Max(1, section.Records)));
         }
 
-        public override IEnumerator<JobStep> FindBlocks() => m_blocks.Find();
+        public override IEnumerator<JobStep> IndexBlocks() => m_blocks.Find();
 
         internal override void ListPieces(BlockRange range, List<FilePiece> pieces)
         {

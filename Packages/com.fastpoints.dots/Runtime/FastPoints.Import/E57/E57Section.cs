@@ -308,6 +308,6 @@ namespace FastPoints.E57
             known.Warning.Add(Info, count, offset, sum => sum == "0" ? known.Text : known.Text + " (" + sum + " so far)");
         }
 
-        T Known<T>(T value) => AreKnown ? value : throw new InvalidOperationException("FindBlocks comes first");
+        T Known<T>(T value) => AreKnown ? value : throw new InvalidOperationException("IndexBlocks comes first");
     }
 }

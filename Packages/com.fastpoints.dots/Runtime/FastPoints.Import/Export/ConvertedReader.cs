@@ -232,14 +232,14 @@ namespace FastPoints.Export
             public long FirstPoint;
         }
 
-        sealed class ConvertedRead : SlotRead
+        sealed class ConvertedRead : OwningBlockRead
         {
             readonly ConvertedReader m_reader;
             readonly List<int> m_planes = new List<int> { StoreLayout.PositionPlane };
             NativeArray<PlaneShape> m_shapes;
             NativeArray<PlaneRange> m_ranges;
             NativeArray<long> m_planeOffsets;
-            NativeArray<ConvertedTarget> m_targets;
+            NativeArray<PlaneColumnTarget> m_targets;
             readonly EditSlot m_edits;
             GatherEditedJob m_gather;
 
@@ -248,7 +248,7 @@ namespace FastPoints.Export
             {
                 m_reader = reader;
                 var layout = reader.m_folder.Layout;
-                var targets = new List<ConvertedTarget>();
+                var targets = new List<PlaneColumnTarget>();
                 for (int axis = 0; axis < 3; axis++)
                     AddTarget(targets, 0, axis, new StoredColumn { Type = AttributeType.Int64, Divisor = 1 },
                         reader.Info.Schema[axis].Name);
@@ -263,7 +263,7 @@ namespace FastPoints.Export
                         m_planes.Add(p);
                 }
                 OwnFile(0, allocator, m_planes.Count);
-                m_targets = Own(new NativeArray<ConvertedTarget>(targets.ToArray(), allocator));
+                m_targets = Own(new NativeArray<PlaneColumnTarget>(targets.ToArray(), allocator));
                 m_shapes = Own(new NativeArray<PlaneShape>(m_planes.Count, allocator));
                 m_ranges = Own(new NativeArray<PlaneRange>(m_planes.Count, allocator));
                 m_planeOffsets = Own(new NativeArray<long>(m_planes.Count, allocator));
@@ -302,11 +302,11 @@ namespace FastPoints.Export
                 return isNamed;
             }
 
-            void AddTarget(List<ConvertedTarget> targets, int plane, int column, StoredColumn stored, string name)
+            void AddTarget(List<PlaneColumnTarget> targets, int plane, int column, StoredColumn stored, string name)
             {
                 int index = Points.Schema.IndexOf(name);
                 if (index >= 0)
-                    targets.Add(new ConvertedTarget
+                    targets.Add(new PlaneColumnTarget
                     {
                         Plane = plane,
                         Column = column,
@@ -327,25 +327,25 @@ namespace FastPoints.Export
                 int commands = LayOutInBuffer();
                 var decoded = new DecodeConvertedJob
                 {
-                    File = File.Buffer,
+                    File = FileRead.Buffer,
                     Ranges = m_ranges,
                     PlaneOffsets = m_planeOffsets,
                     Shapes = m_shapes,
                     Targets = m_targets,
-                    PlaneBlocks = node.PlaneBlocks,
+                    BlockCount = node.PlaneBlocks,
                     Corner = node.Corner,
                     First = range.First,
                     Count = range.Count,
                     Columns = Points.Bytes,
                     Result = Result,
-                }.Schedule(DependencyOf(File.Begin(m_reader.m_paths[block.Page], commands)));
+                }.Schedule(DependencyOf(FileRead.Begin(m_reader.m_paths[block.Page], commands)));
                 return m_edits == null ? decoded : ScheduleEdits(range, node, decoded);
             }
 
             JobHandle ScheduleEdits(BlockRange range, in NodeRecord node, JobHandle decoded)
             {
                 var job = m_gather;
-                job.File = File.Buffer;
+                job.File = FileRead.Buffer;
                 job.PlaneOffset = m_planeOffsets[0];
                 job.Shape = m_shapes[0];
                 job.BlockCount = node.PlaneBlocks;
@@ -354,7 +354,7 @@ namespace FastPoints.Export
                 job.Result = Result;
                 return job.Schedule(m_edits.Schedule(new EditNodeJob
                 {
-                    File = File.Buffer,
+                    File = FileRead.Buffer,
                     Planes = m_ranges,
                     PlaneOffsets = m_planeOffsets,
                     PlaneShapes = m_shapes,
@@ -366,7 +366,7 @@ namespace FastPoints.Export
             // Planes that lie together are one segment; of a remote file, segments are parts of what ListPieces names.
             unsafe int LayOutInBuffer()
             {
-                var commands = File.Commands;
+                var commands = FileRead.Commands;
                 int count = 0;
                 long bytes = 0, end = 0, maxGap = m_reader.m_folder.RemoteOfTable(0) != null ? 0 : MaxGapBytes;
                 for (int p = 0; p < m_planes.Count; p++)
@@ -381,8 +381,8 @@ namespace FastPoints.Export
                     command.Size = end - command.Offset;
                     commands[count - 1] = command;
                 }
-                File.Reserve(bytes);
-                var to = (byte*)File.Buffer.GetUnsafePtr();
+                FileRead.Reserve(bytes);
+                var to = (byte*)FileRead.Buffer.GetUnsafePtr();
                 for (int i = 0; i < count; i++)
                 {
                     var command = commands[i];
@@ -395,15 +395,15 @@ namespace FastPoints.Export
 
             protected override void EndRead()
             {
-                File.End();
+                FileRead.End();
                 if (Result.Value.Error != 0)
                     throw new PointCloudException(FailureCode.BadInput, m_reader.FileOfBlock(Range.Block, out _),
                         Result.Value.ErrorOffset, "the node's data is damaged: " +
-                            StoreFile.HashProblem(m_ranges[Result.Value.Error - 1].Hash, Result.Value.ErrorGot));
+                            StoreFile.HashProblem(m_ranges[Result.Value.Error - 1].Hash, Result.Value.ActualHash));
                 m_edits?.Count();
             }
 
-            protected override void Cancel() => File.Cancel();
+            protected override void Cancel() => FileRead.Cancel();
         }
     }
 }

@@ -8,7 +8,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Export
 {
-    internal struct ConvertedTarget
+    internal struct PlaneColumnTarget
     {
         public int Plane; // Among the wanted planes; 0 for the position.
         public int Column;
@@ -26,8 +26,8 @@ namespace FastPoints.Export
 
         [ReadOnly] public NativeArray<long> PlaneOffsets;
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
-        [ReadOnly] public NativeArray<ConvertedTarget> Targets;
-        public int PlaneBlocks;
+        [ReadOnly] public NativeArray<PlaneColumnTarget> Targets;
+        public int BlockCount;
         public Grid3 Corner;
         public int First;
         public int Count;
@@ -41,9 +41,9 @@ namespace FastPoints.Export
             {
                 byte* plane = file + PlaneOffsets[p];
                 ulong hash = ContentHash.Of(plane, Ranges[p].LengthBytes);
-                if (hash == Ranges[p].Hash && PlaneView.IsValid(plane, Ranges[p].LengthBytes, Shapes[p], PlaneBlocks))
+                if (hash == Ranges[p].Hash && PlaneView.IsValid(plane, Ranges[p].LengthBytes, Shapes[p], BlockCount))
                     continue;
-                Result.Value = new DecodeResult { Error = 1 + p, ErrorOffset = Ranges[p].OffsetBytes, ErrorGot = hash };
+                Result.Value = new DecodeResult { Error = 1 + p, ErrorOffset = Ranges[p].OffsetBytes, ActualHash = hash };
                 return;
             }
             for (int t = 0; t < Targets.Length; t++)
@@ -51,14 +51,14 @@ namespace FastPoints.Export
             Result.Value = new DecodeResult { Points = Count };
         }
 
-        void Unpack(byte* file, in ConvertedTarget target)
+        void Unpack(byte* file, in PlaneColumnTarget target)
         {
-            var view = new PlaneView(file + PlaneOffsets[target.Plane], Shapes[target.Plane], PlaneBlocks);
+            var view = new PlaneView(file + PlaneOffsets[target.Plane], Shapes[target.Plane], BlockCount);
             var values = new PlaneValues { View = view, Column = target.Column, Stored = target.Stored };
             byte* to = (byte*)Columns.GetUnsafePtr() + target.To.OffsetBytes;
             long corner = target.Column == 0 ? Corner.X : target.Column == 1 ? Corner.Y : Corner.Z;
             int at = 0;
-            for (int b = 0; b < PlaneBlocks && at < First + Count; b++)
+            for (int b = 0; b < BlockCount && at < First + Count; b++)
             {
                 int points = view.PointsOf(b), begin = math.max(0, First - at);
                 int count = math.min(points, First + Count - at) - begin;

@@ -70,7 +70,7 @@ namespace FastPoints.Export
             if (!reader.BlocksAreKnown)
             {
                 progress?.Begin("find points");
-                yield return JobStep.Of(reader.FindBlocks());
+                yield return JobStep.Of(reader.IndexBlocks());
             }
             yield return JobStep.Of(PoolTask.Run(path, () => ExportRange.ThrowIfSource(reader, path), _ => { }));
             if (CopcExport.IsNamed(path) && !CopcExport.CanExport(reader))

@@ -151,7 +151,7 @@ namespace FastPoints.Export
 
         /// <summary>The world of <see cref="Clips"/> = this * georeferenced position: without it, they are in the cloud's
         /// coordinates.</summary>
-        public CloudPlacement WorldOfGeo = new CloudPlacement(double3x3.identity, default);
+        public CloudPlacement GeoToWorld = new CloudPlacement(double3x3.identity, default);
         public int[] Classes; // From 0 to 255; null for all.
         public PointFilter Filter; // Null for all points. Whoever sets it disposes it after the export.
         public string[] Attributes; // Beside the position; null for all.
@@ -170,7 +170,7 @@ namespace FastPoints.Export
         {
             var clips = new LocalClip[Clips.Count];
             for (int i = 0; i < clips.Length; i++)
-                clips[i] = new LocalClip(Clips[i], WorldOfGeo);
+                clips[i] = new LocalClip(Clips[i], GeoToWorld);
             return clips;
         }
     }

@@ -92,7 +92,7 @@ namespace FastPoints.Laz
     }
 
     // Of a layered chunk only the wanted layers: first the header that says where they are, then a read that a job has planned.
-    sealed unsafe class LazBlockRead : SlotRead
+    sealed unsafe class LazBlockRead : OwningBlockRead
     {
         // About 4 ms of decoding on one core.
         const int PointsPerSlice = 16384;
@@ -201,11 +201,11 @@ namespace FastPoints.Laz
             // Streams of layers are offsets in the input, which is the same for every range that continues another.
             long inputPoints = m_format.IsLayered && m_keepsStates ? block.FirstInChunk + block.Points : skip + range.Count;
             // Blocks may be found after the slot was made: pages of a hierarchy are read as they are wanted.
-            File.Reserve((IsWholeChunk ? block.EndOffset - start
+            FileRead.Reserve((IsWholeChunk ? block.EndOffset - start
                 : Math.Min(block.EndOffset - start, m_blocks.MaxInputBytes(inputPoints))) + ExtraPadding);
             var decode = new DecodeLazJob
             {
-                Input = File.Buffer,
+                Input = FileRead.Buffer,
                 InputBytes = m_inputBytes,
                 State = m_state,
                 BatchRecords = m_batchRecords,
@@ -251,13 +251,13 @@ namespace FastPoints.Laz
             var commands = (ReadCommandArray*)m_plannedArray.GetUnsafePtr();
             var planned = new PlanLazReadsJob
             {
-                Input = File.Buffer,
+                Input = FileRead.Buffer,
                 BytesPerPoint = m_bytesPerPoint,
                 Commands = m_plannedCommands,
                 CommandArray = m_plannedArray,
                 InputBytes = m_inputBytes,
-                Buffer = (byte*)File.Buffer.GetUnsafePtr(),
-                BufferBytes = File.Buffer.Length - RangeCoder.PaddingBytes,
+                Buffer = (byte*)FileRead.Buffer.GetUnsafePtr(),
+                BufferBytes = FileRead.Buffer.Length - RangeCoder.PaddingBytes,
                 RecordBytes = m_format.RecordBytes,
                 ChunkOffset = start,
                 ChunkEnd = block.EndOffset,
@@ -273,7 +273,7 @@ namespace FastPoints.Laz
         JobHandle Read(long offset, long bytes)
         {
             m_inputBytes[0] = bytes;
-            return DependencyOf(File.Begin(m_blocks.File, offset, (int)bytes));
+            return DependencyOf(FileRead.Begin(m_blocks.File, offset, (int)bytes));
         }
 
         static JobHandle Schedule(DecodeLazJob decode, JobHandle dependency)
@@ -290,7 +290,7 @@ namespace FastPoints.Laz
 
         protected override void EndRead()
         {
-            bool isRead = File.Close(out _) == ReadStatus.Complete;
+            bool isRead = FileRead.Close(out _) == ReadStatus.Complete;
             if (m_isPlanned)
                 isRead &= ClosePlanned() == ReadStatus.Complete;
             if (isRead)
@@ -323,7 +323,7 @@ namespace FastPoints.Laz
 
         protected override void Cancel()
         {
-            File.Cancel();
+            FileRead.Cancel();
             if (m_isPlanned)
                 m_plannedRead.Cancel();
         }

@@ -8,7 +8,7 @@ namespace FastPoints.Laz
 {
     // What LASzip 1.x to 3.x write, pointwise or in layers, point formats 0 to 10. A chunk of more than MaxBlockPoints points
     // becomes several blocks. In a pointwise chunk each block starts from a checkpoint, a copy of the decoder's state there,
-    // which FindBlocks takes by decoding the chunk once. In a layered chunk each block decodes from the chunk's start (no writer
+    // which IndexBlocks takes by decoding the chunk once. In a layered chunk each block decodes from the chunk's start (no writer
     // makes such long chunks by default).
     internal sealed class LazReader : LazChunkReader, IPrefixSource
     {
@@ -62,7 +62,7 @@ namespace FastPoints.Laz
             }
         }
 
-        public override IEnumerator<JobStep> FindBlocks()
+        public override IEnumerator<JobStep> IndexBlocks()
         {
             if (m_areBlocksKnown)
                 yield break;

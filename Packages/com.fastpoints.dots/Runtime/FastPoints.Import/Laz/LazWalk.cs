@@ -125,15 +125,15 @@ namespace FastPoints.Laz
                     int firstCheckpoint = m_checkpoints.Count;
                     stream.StartChunk(at, m_source.Length);
                     yield return JobStep.Of(WalkChunk(stream, wanted));
-                    if (stream.Point == 0)
+                    if (stream.PointsDone == 0)
                         break;
                     CloseChunk(m_chunks.Count, firstCheckpoint);
                     long end = stream.IsStopped ? m_source.Length : stream.FileOffset;
-                    m_chunks.Add(new LazChunk { Offset = at, Bytes = end - at, Points = stream.Point });
+                    m_chunks.Add(new LazChunk { Offset = at, Bytes = end - at, Points = stream.PointsDone });
                     if (stream.IsStopped)
                         break;
                     at = stream.FileOffset;
-                    pointsLeft -= (ulong)stream.Point;
+                    pointsLeft -= (ulong)stream.PointsDone;
                 }
             }
             if (!isPrefix)
@@ -165,11 +165,11 @@ namespace FastPoints.Laz
                 stream.StartChunk(chunk.Offset, chunk.Offset + chunk.Bytes);
                 yield return JobStep.Of(WalkChunk(stream, chunk.Points));
                 CloseChunk(c, firstCheckpoint);
-                if (stream.Point == chunk.Points)
+                if (stream.PointsDone == chunk.Points)
                     continue;
                 m_blocks.Info.Warn(stream.FileOffset, "chunk " + NumberText.Of(c) + ": wanted " + NumberText.Of(chunk.Points)
-                    + " points, got " + NumberText.Of(stream.Point) + ": the others are not in the file");
-                m_chunks.SetPoints(c, stream.Point);
+                    + " points, got " + NumberText.Of(stream.PointsDone) + ": the others are not in the file");
+                m_chunks.SetPoints(c, stream.PointsDone);
             }
         }
 
@@ -177,24 +177,24 @@ namespace FastPoints.Laz
         {
             bool isLong = points > m_blocks.LongChunkPoints;
             int firstCheckpoint = m_checkpoints.Count;
-            while (stream.Point < points && !stream.IsStopped)
+            while (stream.PointsDone < points && !stream.IsStopped)
             {
                 while (stream.NeedsInput && !stream.TryFetch())
                     yield return default;
                 if (stream.NeedsInput)
                     yield return stream.BeginRead();
                 stream.EndRead();
-                long untilCheckpoint = m_checkpointPoints - stream.Point % m_checkpointPoints;
-                yield return stream.Decode((int)Math.Min(Math.Min(PointsPerSlice, untilCheckpoint), points - stream.Point));
+                long untilCheckpoint = m_checkpointPoints - stream.PointsDone % m_checkpointPoints;
+                yield return stream.Decode((int)Math.Min(Math.Min(PointsPerSlice, untilCheckpoint), points - stream.PointsDone));
                 stream.EndDecode();
-                bool isAtCheckpoint = isLong && stream.Point > 0 && stream.Point % m_checkpointPoints == 0 &&
-                    stream.Point < points;
+                bool isAtCheckpoint = isLong && stream.PointsDone > 0 && stream.PointsDone % m_checkpointPoints == 0 &&
+                    stream.PointsDone < points;
                 if (isAtCheckpoint && !stream.IsStopped
                     && (m_checkpoints.Count == 0 || m_checkpoints[m_checkpoints.Count - 1].FileOffset != stream.FileOffset))
                     m_checkpoints.Add(stream.Checkpoint());
             }
             // Points that were taken back at the end may have had a checkpoint.
-            while (m_checkpoints.Count > firstCheckpoint && m_checkpoints[m_checkpoints.Count - 1].Point >= stream.Point)
+            while (m_checkpoints.Count > firstCheckpoint && m_checkpoints[m_checkpoints.Count - 1].Point >= stream.PointsDone)
                 m_checkpoints.RemoveAt(m_checkpoints.Count - 1);
         }
 

@@ -44,7 +44,7 @@ namespace FastPoints.Laz
             m_step = new NativeReference<LazWalkStep>(Allocator.Persistent);
         }
 
-        public long Point { get; private set; }
+        public long PointsDone { get; private set; }
         public long FileOffset { get; private set; }
 
         // The input does not hold the next point.
@@ -60,7 +60,7 @@ namespace FastPoints.Laz
             m_inputEnd = end;
             // Bytes in the window beyond this chunk's end do not belong to it.
             m_windowEnd = Math.Min(m_windowEnd, end);
-            Point = 0;
+            PointsDone = 0;
             IsStopped = false;
         }
 
@@ -93,7 +93,7 @@ namespace FastPoints.Laz
                 Points = points,
                 MaxBytesOfFirst = m_maxBytesOfFirst,
                 MaxBytesOfPoint = m_maxBytesOfPoint,
-                IsStart = Point == 0,
+                IsStart = PointsDone == 0,
             }.Schedule(m_decode);
             return m_decode;
         }
@@ -102,7 +102,7 @@ namespace FastPoints.Laz
         {
             m_decode.Complete();
             var step = m_step.Value;
-            Point += step.Points - step.UncertainPoints;
+            PointsDone += step.Points - step.UncertainPoints;
             FileOffset += step.Bytes;
             IsStopped = step.IsStopped;
         }
@@ -110,7 +110,7 @@ namespace FastPoints.Laz
         public LazCheckpoint Checkpoint()
         {
             PointwiseChunk.Rebase((PointwiseChunk*)m_state.GetUnsafePtr());
-            var checkpoint = new LazCheckpoint { Point = Point, FileOffset = FileOffset };
+            var checkpoint = new LazCheckpoint { Point = PointsDone, FileOffset = FileOffset };
             m_decode = checkpoint.Save(m_state, m_decode);
             return checkpoint;
         }

@@ -13,16 +13,16 @@ namespace FastPoints.Reading
     {
         public SourceInfo Info { get; protected set; }
 
-        /// <summary>Whether the blocks and their point counts are known from the header. If not, call <see cref="FindBlocks"/>
+        /// <summary>Whether the blocks and their point counts are known from the header. If not, call <see cref="IndexBlocks"/>
         /// before using any of the following members.</summary>
         public virtual bool BlocksAreKnown => true;
 
-        /// <summary>The most jobs that <see cref="FindBlocks"/> has in flight; 0 for as many as keep all workers busy.</summary>
+        /// <summary>The most jobs that <see cref="IndexBlocks"/> has in flight; 0 for as many as keep all workers busy.</summary>
         public int MaxJobs { get; set; }
 
         /// <summary>Coroutine that finds the blocks in one pass over the file: line starts of an ascii file, a lost chunk
         /// table.</summary>
-        public virtual IEnumerator<JobStep> FindBlocks()
+        public virtual IEnumerator<JobStep> IndexBlocks()
         {
             yield break;
         }
@@ -110,13 +110,13 @@ namespace FastPoints.Reading
         public virtual void DisposeUnread() { }
     }
 
-    // Points can be read long before FindBlocks has ended.
+    // Points can be read long before IndexBlocks has ended.
     internal interface IPrefixSource
     {
         bool HasPrefixes { get; }
 
         // Coroutine, of bounded time: without a pass over the file, of text at this many positions. What it finds are the blocks,
-        // although BlocksAreKnown is false, until FindBlocks replaces them while there are no slots. If it is called again for
+        // although BlocksAreKnown is false, until IndexBlocks replaces them while there are no slots. If it is called again for
         // more positions, earlier blocks keep their numbers.
         IEnumerator<JobStep> FindPrefixes(int count);
 

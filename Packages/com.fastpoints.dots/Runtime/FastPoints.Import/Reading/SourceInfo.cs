@@ -51,7 +51,7 @@ namespace FastPoints.Reading
         /// <summary>The attributes of each point.</summary>
         public PointSchema Schema;
 
-        internal string[] AlsoSampled = Array.Empty<string>();
+        internal string[] ExtraSampledAttributes = Array.Empty<string>();
 
         public CoordinateSystem Crs = new CoordinateSystem();
 

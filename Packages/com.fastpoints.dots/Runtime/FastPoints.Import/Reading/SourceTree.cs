@@ -73,23 +73,24 @@ namespace FastPoints.Reading
         public int4 Key => new int4(Cell, Level);
     }
 
-    // The hierarchy of the octree is read page by page; FindBlocks reads all of it.
+    // The hierarchy of the octree is read page by page; IndexBlocks reads all of it.
     internal interface IOctreeSource
     {
         // Coroutine: the pages that the first levels, counted from the root, need for a node and what is below it; afterwards
         // their blocks can be read although BlocksAreKnown is false. Never opens or reads a file on the main thread.
-        IEnumerator<JobStep> FindBelow(int4 node, int levels);
+        IEnumerator<JobStep> ReadHierarchyBelow(int4 node, int levels);
 
-        // FindBelow has nothing to read.
+        // ReadHierarchyBelow has nothing to read.
         bool IsKnownBelow(int4 node, int levels);
     }
 
     internal static class OctreeSources
     {
-        public static IEnumerator<JobStep> FindLevels(this PointReader reader, int levels) => reader.FindBelow(default, levels);
+        public static IEnumerator<JobStep> ReadLevels(this PointReader reader, int levels) =>
+            reader.ReadHierarchyBelow(default, levels);
 
-        public static IEnumerator<JobStep> FindBelow(this PointReader reader, int4 node, int levels) =>
-            reader is IOctreeSource octree ? octree.FindBelow(node, levels) : reader.FindBlocks();
+        public static IEnumerator<JobStep> ReadHierarchyBelow(this PointReader reader, int4 node, int levels) =>
+            reader is IOctreeSource octree ? octree.ReadHierarchyBelow(node, levels) : reader.IndexBlocks();
 
         public static bool IsKnownBelow(this PointReader reader, int4 node, int levels) =>
             reader is IOctreeSource octree ? octree.IsKnownBelow(node, levels) : reader.BlocksAreKnown;

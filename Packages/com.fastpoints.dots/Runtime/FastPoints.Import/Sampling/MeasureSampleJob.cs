@@ -14,7 +14,7 @@ namespace FastPoints.Sampling
         public int First;
         public int End;
         public NativeReference<SampleStatistics> Statistics; // The points so far; reset by the first slice.
-        public SliceTimes Slices;
+        public SliceTimes SliceTimes;
 
         public static JobHandle Schedule(MeasureSampleJob job, JobHandle done)
         {
@@ -47,7 +47,7 @@ namespace FastPoints.Sampling
                 found.LowestDigit = math.min(found.LowestDigit, new int3(LowestDigit(p.x), LowestDigit(p.y), LowestDigit(p.z)));
             }
             Statistics.Value = found;
-            Slices.End(begin);
+            SliceTimes.End(begin);
         }
 
         static int LowestDigit(double value)

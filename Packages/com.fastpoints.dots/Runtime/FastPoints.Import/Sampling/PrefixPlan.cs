@@ -17,7 +17,7 @@ namespace FastPoints.Sampling
         readonly SampleOrder m_order;
 
         /// <summary>Of a remote source each block costs a request: as many, if each has its share of a large sample.</summary>
-        public const int RemoteBlocks = 160;
+        public const int MaxRemoteBlocks = 160;
         readonly int m_pointsPerBlock; // What each block of a large remote source gives, once; 0 for others.
 
         int m_next;
@@ -29,7 +29,7 @@ namespace FastPoints.Sampling
         public PrefixPlan(PointReader reader, int wanted, uint seed)
         {
             m_reader = reader;
-            int blocks = reader.BlockCount > 0 ? Math.Min(RemoteBlocks, reader.BlockCount) : RemoteBlocks;
+            int blocks = reader.BlockCount > 0 ? Math.Min(MaxRemoteBlocks, reader.BlockCount) : MaxRemoteBlocks;
             m_pointsPerBlock = reader.TakesFewRanges ? Math.Max(MinPoints, (wanted + blocks - 1) / blocks) : 0;
             m_order = new SampleOrder(Math.Max(1, reader.BlockCount), seed);
             if (reader.Tree == null)
@@ -49,9 +49,9 @@ namespace FastPoints.Sampling
 
         /// <summary>Returns what the next wave takes from which blocks until <paramref name="wanted"/> points are taken in
         /// all.</summary>
-        public List<Prefix> Next(int wanted)
+        public List<PrefixRange> Next(int wanted)
         {
-            var prefixes = new List<Prefix>();
+            var prefixes = new List<PrefixRange>();
             if (m_levels == null && m_pointsPerBlock > 0)
             {
                 TakeRemote(wanted, prefixes);
@@ -77,7 +77,7 @@ namespace FastPoints.Sampling
 
         /// <summary>Distributes <paramref name="wanted"/> points among the blocks, minus those taken before.</summary>
         /// <param name="max">The most points that are taken in all.</param>
-        void Take(List<int> blocks, int wanted, int max, List<Prefix> prefixes)
+        void Take(List<int> blocks, int wanted, int max, List<PrefixRange> prefixes)
         {
             long points = PointsOf(blocks), before = 0;
             foreach (int block in blocks)
@@ -92,27 +92,28 @@ namespace FastPoints.Sampling
                 count = Math.Min(count, max - Taken);
                 if (count <= 0)
                     continue;
-                prefixes.Add(new Prefix { Block = block, First = taken, Count = count, FirstEntry = Taken });
+                prefixes.Add(new PrefixRange { Block = block, First = taken, Count = count, FirstInSample = Taken });
                 m_taken[block] = taken + count;
                 Taken += count;
             }
         }
 
         /// <summary>No block is read twice: each wave has other ones, spread over the source.</summary>
-        void TakeRemote(int wanted, List<Prefix> prefixes)
+        void TakeRemote(int wanted, List<PrefixRange> prefixes)
         {
             for (; Taken < wanted && m_next < Math.Max(m_order.Length, m_reader.BlockCount); m_next++)
             {
-                int block = IsSpread ? m_next : m_order.StratumAt(m_next);
+                int block = AreBlocksShuffled ? m_next : m_order.StratumAt(m_next);
                 if (block < 0 || block >= m_reader.BlockCount)
                     continue;
                 int count = Math.Min(Math.Min(m_pointsPerBlock, m_reader.PointsInBlock(block)), wanted - Taken);
-                prefixes.Add(new Prefix { Block = block, Count = count, FirstEntry = Taken });
+                prefixes.Add(new PrefixRange { Block = block, Count = count, FirstInSample = Taken });
                 Taken += count;
             }
         }
 
-        bool IsSpread => m_reader is LineReader && !m_reader.BlocksAreKnown; // Blocks at random offsets are spread already.
+        // Blocks at random offsets are spread already.
+        bool AreBlocksShuffled => m_reader is LineReader && !m_reader.BlocksAreKnown;
 
         long PointsOf(List<int> blocks)
         {
@@ -132,12 +133,12 @@ namespace FastPoints.Sampling
         {
             var blocks = new List<int>();
             long points = 0;
-            int count = IsSpread ? m_reader.BlockCount : m_order.Length;
+            int count = AreBlocksShuffled ? m_reader.BlockCount : m_order.Length;
             for (int index = 0; index < count; index++)
             {
                 if (blocks.Count > wanted / MinPoints && points >= wanted)
                     break;
-                int block = IsSpread ? index : m_order.StratumAt(index);
+                int block = AreBlocksShuffled ? index : m_order.StratumAt(index);
                 if (block < 0 || block >= m_reader.BlockCount)
                     continue;
                 blocks.Add(block);
@@ -149,13 +150,13 @@ namespace FastPoints.Sampling
     }
 
     /// <summary>Points of a block's prefix that one wave adds to those of earlier waves, and where they go.</summary>
-    struct Prefix
+    struct PrefixRange
     {
         public int Block;
 
         public int First;
 
         public int Count;
-        public int FirstEntry; // Its first point's index in the sample.
+        public int FirstInSample; // Its first point's index in the sample.
     }
 }

@@ -25,7 +25,7 @@ namespace FastPoints.Sampling
         ReadSlots m_slots;
         StageProgress m_progress;
 
-        Prefix m_begun;
+        PrefixRange m_begun;
 
         public PrefixWaveReader(PointReader reader, int wanted, uint seed)
             : base(reader, reader is LineReader && !reader.BlocksAreKnown ? wanted : (int)Math.Min(wanted, reader.PointCount),
@@ -37,7 +37,7 @@ namespace FastPoints.Sampling
         /// <summary>Coroutine: finds as many as the wave is spread over, and more if these have too few points.</summary>
         IEnumerator<JobStep> FindPrefixes(int wanted)
         {
-            int max = Reader.TakesFewRanges ? PrefixPlan.RemoteBlocks : LineReader.MaxPrefixes;
+            int max = Reader.TakesFewRanges ? PrefixPlan.MaxRemoteBlocks : LineReader.MaxPrefixes;
             for (long count = wanted / PrefixPlan.MinPoints + 1L; ; count *= 2)
             {
                 yield return JobStep.Of(((LineReader)Reader).FindPrefixes((int)Math.Min(count, max)));
@@ -60,7 +60,7 @@ namespace FastPoints.Sampling
             m_progress = progress;
             m_slots = new ReadSlots(Reader, Buffer.Points.Schema, longest,
                 LimitFor(Reader, Buffer.Points.Schema, slots, first), 0);
-            var ranges = prefixes.ConvertAll(prefix => new BlockRange(prefix.Block, prefix.First, prefix.Count));
+            var ranges = prefixes.ConvertAll(p => new BlockRange(p.Block, p.First, p.Count));
             yield return JobStep.Of(m_slots.Run(this, ScanRanges.Of(Reader, ranges, longest), (read, n) =>
             {
                 m_begun = prefixes[n];
@@ -83,7 +83,7 @@ namespace FastPoints.Sampling
                 Result = read.Result,
                 MaxPoints = m_begun.Count,
                 ColumnsOfSample = Buffer.Columns,
-                FirstEntry = m_begun.FirstEntry,
+                FirstInSample = m_begun.FirstInSample,
                 Sample = Buffer.Points.Bytes,
                 Filled = Buffer.Filled,
             }.Schedule(decoded);
@@ -116,7 +116,7 @@ namespace FastPoints.Sampling
         public int MaxPoints;
 
         [ReadOnly] public NativeArray<PointColumn> ColumnsOfSample;
-        public int FirstEntry;
+        public int FirstInSample;
 
         [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Sample;
         [NativeDisableContainerSafetyRestriction] public NativeArray<byte> Filled; // Set to 1 at each entry that is written.
@@ -131,11 +131,11 @@ namespace FastPoints.Sampling
             for (int column = 0; column < ColumnsOfSample.Length; column++)
             {
                 int size = ColumnsOfSample[column].Type.SizeOf();
-                UnsafeUtility.MemCpy(to + ColumnsOfSample[column].OffsetBytes + (long)FirstEntry * size,
+                UnsafeUtility.MemCpy(to + ColumnsOfSample[column].OffsetBytes + (long)FirstInSample * size,
                     from + ColumnsOfDecoded[column].OffsetBytes, (long)count * size);
             }
             var filled = (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(Filled);
-            UnsafeUtility.MemSet(filled + FirstEntry, 1, count);
+            UnsafeUtility.MemSet(filled + FirstInSample, 1, count);
         }
     }
 }

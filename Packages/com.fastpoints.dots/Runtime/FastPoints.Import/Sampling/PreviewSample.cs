@@ -26,7 +26,7 @@ namespace FastPoints.Sampling
         public BoundsGeo Bounds { get; internal set; } = BoundsGeo.Empty;
 
         /// <summary>Chosen points that were left out because their position is not finite.</summary>
-        public long NonFinite { get; internal set; }
+        public long NonFiniteCount { get; internal set; }
 
         /// <summary>Points that the source says it has.</summary>
         public long PointsInSource { get; internal set; }
@@ -53,7 +53,7 @@ namespace FastPoints.Sampling
         /// <summary>Share of the source's points that the sample has, 0 to 1.</summary>
         public double Fraction => PointsInSource == 0 ? 1 : Points.Count / (double)PointsInSource;
 
-        public bool HasAllPoints => Points.Count + NonFinite >= PointsInSource;
+        public bool HasAllPoints => Points.Count + NonFiniteCount >= PointsInSource;
 
         /// <summary>The largest sample of this schema.</summary>
         public static int MaxPoints(PointSchema schema) => (int)(MaxBytes / (schema.BytesPerPoint + 1));

@@ -53,7 +53,7 @@ namespace FastPoints.Sampling
             }
             if (Sample == null || !IsQuick && !Sample.HasAllPoints)
             {
-                yield return JobStep.Of(FindBlocks(progress));
+                yield return JobStep.Of(IndexBlocks(progress));
                 progress?.Begin("sample");
                 yield return JobStep.Of(m_options.Exact ? Scan(progress) : TakeWaves(progress));
             }
@@ -162,12 +162,12 @@ namespace FastPoints.Sampling
                     + " % of the points, and shows nothing of the rest");
         }
 
-        IEnumerator<JobStep> FindBlocks(StageProgress progress)
+        IEnumerator<JobStep> IndexBlocks(StageProgress progress)
         {
             if (m_reader.BlocksAreKnown)
                 yield break;
             progress?.Begin(FindBlocksStage);
-            yield return JobStep.Of(m_reader.FindBlocks());
+            yield return JobStep.Of(m_reader.IndexBlocks());
         }
 
         void DisposeSample()

@@ -82,7 +82,7 @@ namespace FastPoints.Sampling
             long span = length <= 2 * m_spanPoints ? length : m_spanPoints;
             int step = (int)(span / count);
             long begin = m_strata.ChosenRange(stratum, 1) - first;
-            range = new StridedRange { First = first + begin, Step = step, Count = count, FirstEntry = index };
+            range = new StridedRange { First = first + begin, Step = step, Count = count, FirstInSample = index };
             second = default;
             int before = (int)((length - begin + step - 1) / step);
             if (before >= count)
@@ -91,7 +91,7 @@ namespace FastPoints.Sampling
             second.Count = before;
             range.First = first + (begin + (long)before * step) % length;
             range.Count = count - before;
-            range.FirstEntry = index + before;
+            range.FirstInSample = index + before;
             return true;
         }
     }

@@ -284,7 +284,7 @@ namespace FastPoints.Sampling
         {
             Ranges.Add(range);
             for (int i = 0; i < range.Count; i++)
-                Filled[range.FirstEntry + i] = 1;
+                Filled[range.FirstInSample + i] = 1;
         }
     }
 

@@ -38,7 +38,7 @@ namespace FastPoints.Sampling
         public NativeArray<PointColumn> Columns => m_columns;
 
         /// <summary>Entries that are closed, whether their point was kept or not. Only while nothing is in flight.</summary>
-        public int CompactedCount => m_state.Value.Kept + (int)m_state.Value.Bounds.NonFinite;
+        public int CompactedCount => m_state.Value.Kept + (int)m_state.Value.Bounds.NonFiniteCount;
 
         /// <summary>For code that fills entries from the first on.</summary>
         public unsafe void FillAll() => UnsafeUtility.MemSet(m_filled.GetUnsafePtr(), 1, m_filled.Length);
@@ -111,7 +111,7 @@ namespace FastPoints.Sampling
         {
             var state = m_state.Value;
             sample.Bounds = state.Bounds.Bounds;
-            sample.NonFinite = state.Bounds.NonFinite;
+            sample.NonFiniteCount = state.Bounds.NonFiniteCount;
         }
 
         public void Dispose()
@@ -131,7 +131,7 @@ namespace FastPoints.Sampling
         /// <exception cref="PointCloudException">The source has no positions.</exception>
         public static PointSchema Of(SourceInfo info)
         {
-            var names = new List<string>(info.AlsoSampled)
+            var names = new List<string>(info.ExtraSampledAttributes)
             {
                 AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Intensity, AttributeNames.Classification,
                 AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue,
@@ -197,7 +197,7 @@ namespace FastPoints.Sampling
                         continue;
                     if (!PositionBounds.IsFinite(x[i], y[i], z[i]))
                     {
-                        state.Bounds.NonFinite++;
+                        state.Bounds.NonFiniteCount++;
                         continue;
                     }
                     x[kept] = x[i];

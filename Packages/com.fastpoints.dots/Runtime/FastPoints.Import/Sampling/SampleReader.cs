@@ -17,7 +17,7 @@ namespace FastPoints.Sampling
 
         readonly SourceTree m_tree;
         readonly int m_blocks;
-        readonly int[] m_readers; // Number of readers of the same points; the last one frees them.
+        readonly int[] m_sharedReaderCount; // Number of readers of the same points; the last one frees them.
         bool m_isDisposed;
 
         /// <summary>Copies a sample, with which its sampler continues: about a millisecond for ten megabytes.</summary>
@@ -28,7 +28,7 @@ namespace FastPoints.Sampling
         {
             Points = points;
             HasAllPoints = sample.HasAllPoints;
-            m_readers = new[] { 1 };
+            m_sharedReaderCount = new[] { 1 };
             int count = Points.Count;
             m_blocks = (count + PointsPerBlock - 1) / PointsPerBlock;
             var bounds = sample.Bounds.IsEmpty ? new BoundsGeo(0, 0) : sample.Bounds;
@@ -56,8 +56,8 @@ namespace FastPoints.Sampling
             HasAllPoints = other.HasAllPoints;
             Info = other.Info;
             m_blocks = other.m_blocks;
-            m_readers = other.m_readers;
-            m_readers[0]++;
+            m_sharedReaderCount = other.m_sharedReaderCount;
+            m_sharedReaderCount[0]++;
             m_tree = TreeOf(other.m_tree.Cube, other.m_tree.Spacing);
         }
 
@@ -92,7 +92,7 @@ namespace FastPoints.Sampling
                 return;
             m_isDisposed = true;
             m_tree.Dispose();
-            if (--m_readers[0] == 0)
+            if (--m_sharedReaderCount[0] == 0)
                 Points.Dispose();
         }
 
@@ -154,7 +154,7 @@ namespace FastPoints.Sampling
                         To = to.Bytes,
                         FirstByteOfFrom = sample.Points.Column(c).OffsetBytes + first * size,
                         FirstByteOfTo = to.Column(c).OffsetBytes + first * size,
-                        Bytes = Math.Min(pointsOfSlice, to.Count - first) * size,
+                        ByteCount = Math.Min(pointsOfSlice, to.Count - first) * size,
                     };
             }
         }
@@ -169,10 +169,10 @@ namespace FastPoints.Sampling
         public NativeArray<byte> To;
         public int FirstByteOfFrom;
         public int FirstByteOfTo;
-        public int Bytes;
+        public int ByteCount;
 
         public void Execute() => UnsafeUtility.MemCpy((byte*)To.GetUnsafePtr() + FirstByteOfTo,
-            (byte*)From.GetUnsafeReadOnlyPtr() + FirstByteOfFrom, Bytes);
+            (byte*)From.GetUnsafeReadOnlyPtr() + FirstByteOfFrom, ByteCount);
     }
 
     sealed class SampleRead : BlockRead

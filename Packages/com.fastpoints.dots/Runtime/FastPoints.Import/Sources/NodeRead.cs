@@ -6,7 +6,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Sources
 {
-    abstract class NodeRead : SlotRead
+    abstract class NodeRead : OwningBlockRead
     {
         protected NodeRead(NodeReader reader, PointSchema wanted, int capacity, Allocator allocator)
             : base(reader, wanted, capacity, allocator)
@@ -28,11 +28,11 @@ namespace FastPoints.Sources
         {
             var piece = Reader.PieceOf(range);
             if (piece.LengthBytes < 0)
-                piece.LengthBytes = File.FetchedLength(piece.Path);
+                piece.LengthBytes = FileRead.FetchedLength(piece.Path);
             BytesRead = (int)piece.LengthBytes;
             // The largest node is not known in advance: the buffer grows when one is found.
-            File.Reserve(piece.LengthBytes + padding);
-            return DependencyOf(Reader.BeginRead(File, piece));
+            FileRead.Reserve(piece.LengthBytes + padding);
+            return DependencyOf(Reader.BeginRead(FileRead, piece));
         }
 
         protected sealed override JobHandle Schedule(BlockRange range)
@@ -79,7 +79,7 @@ namespace FastPoints.Sources
         protected override JobHandle Schedule(BlockRange range, in NodeBlock block)
         {
             var read = BeginRead(range, RangeCoder.PaddingBytes);
-            return m_decoder.Schedule(File.Buffer, BytesRead, block.FirstInNode + range.First, range.Count, Result, read);
+            return m_decoder.Schedule(FileRead.Buffer, BytesRead, block.FirstInNode + range.First, range.Count, Result, read);
         }
 
         protected override void Report(DecodeResult result)

@@ -76,7 +76,7 @@ namespace FastPoints.Sources
 
         internal SourceNode NodeOf(int block) => m_tree[m_blocks[block].Node];
 
-        public abstract IEnumerator<JobStep> FindBelow(int4 node, int levels);
+        public abstract IEnumerator<JobStep> ReadHierarchyBelow(int4 node, int levels);
 
         public abstract bool IsKnownBelow(int4 node, int levels);
 

@@ -110,19 +110,19 @@ namespace FastPoints
     {
         public double Min;
         public double Max;
-        public long Finite;
-        public long NonFinite;
+        public long FiniteCount;
+        public long NonFiniteCount;
 
         public static ColumnRange Empty => new ColumnRange { Min = double.PositiveInfinity, Max = double.NegativeInfinity };
 
-        public bool IsEmpty => Finite == 0;
+        public bool IsEmpty => FiniteCount == 0;
 
         public void Include(in ColumnRange other)
         {
             Min = math.min(Min, other.Min);
             Max = math.max(Max, other.Max);
-            Finite += other.Finite;
-            NonFinite += other.NonFinite;
+            FiniteCount += other.FiniteCount;
+            NonFiniteCount += other.NonFiniteCount;
         }
 
         public static unsafe ColumnRange Measure(byte* column, AttributeType type, int first, int count)
@@ -138,10 +138,10 @@ namespace FastPoints
                     double value = values[i];
                     if (value - value != 0)
                     {
-                        range.NonFinite++;
+                        range.NonFiniteCount++;
                         continue;
                     }
-                    range.Finite++;
+                    range.FiniteCount++;
                     range.Min = value < range.Min ? value : range.Min;
                     range.Max = value > range.Max ? value : range.Max;
                 }

@@ -64,14 +64,14 @@ namespace FastPoints
     internal struct PositionBounds
     {
         public BoundsGeo Bounds;
-        public long NonFinite;
+        public long NonFiniteCount;
 
         public static PositionBounds Empty => new PositionBounds { Bounds = BoundsGeo.Empty };
 
         public void Include(in PositionBounds other)
         {
             Bounds.Include(other.Bounds);
-            NonFinite += other.NonFinite;
+            NonFiniteCount += other.NonFiniteCount;
         }
 
         // At most ColumnValues.BatchLength positions.
@@ -83,7 +83,7 @@ namespace FastPoints
                 double px = x[i], py = y[i], pz = z[i];
                 if (!IsFinite(px, py, pz))
                 {
-                    NonFinite++;
+                    NonFiniteCount++;
                     continue;
                 }
                 min.x = px < min.x ? px : min.x;

@@ -20,7 +20,7 @@ namespace FastPoints.Drawing
         NativeList<int> m_instanceOfBank = new NativeList<int>(Allocator.Persistent);
         NativeList<int> m_seen = new NativeList<int>(1024, Allocator.Persistent);
         NativeReference<long> m_points = new NativeReference<long>(Allocator.Persistent);
-        NativeList<uint> m_lastInstanceOfNode = new NativeList<uint>(Allocator.Persistent);
+        NativeList<uint> m_previousFirstInstanceOfNode = new NativeList<uint>(Allocator.Persistent);
         NativeList<ListedSlot> m_listedOfSlot = new NativeList<ListedSlot>(Allocator.Persistent);
 
         /// <param name="sizes">The tree of all cameras; this list does not dispose it.</param>
@@ -44,10 +44,10 @@ namespace FastPoints.Drawing
         internal bool FiltersPoints { get; private set; }
 
         // Also clouds that have normals are lit by depths.
-        internal bool LightsByDepths { get; set; }
+        internal bool IgnoresNormals { get; set; }
 
         // Whether points of any cloud are lit by the depths around them, or by their own normals.
-        internal bool IsLit { get; private set; }
+        internal bool IsLitByDepths { get; private set; }
         internal bool IsLitByNormals { get; private set; }
 
         // Adaptive sizes are looked up in these; empty if there are none.
@@ -60,7 +60,7 @@ namespace FastPoints.Drawing
         internal int ListNumber { get; private set; }
 
         // Indexed as Nodes: the node's first block in the list before, or ListedSlot.None.
-        internal NativeArray<uint> LastInstanceOfNode => m_lastInstanceOfNode.AsArray();
+        internal NativeArray<uint> PreviousFirstInstanceOfNode => m_previousFirstInstanceOfNode.AsArray();
 
         /// <summary>Points of the nodes that the camera sees.</summary>
         public long Points => m_points.Value;
@@ -92,7 +92,7 @@ namespace FastPoints.Drawing
             m_clouds.Clear();
             m_clipBoxes.Clear();
             FiltersPoints = stream.IsFading;
-            IsLit = IsLitByNormals = false;
+            IsLitByDepths = IsLitByNormals = false;
             foreach (var box in stream.ClipBoxes)
                 m_clipBoxes.Add(new GpuClipBox(box, view.EyeWorld));
             for (int c = 0; c < stream.Clouds.Count; c++)
@@ -118,11 +118,11 @@ namespace FastPoints.Drawing
                     EyeWorld = view.EyeWorld,
                     PlaneCount = cloud.Source.Planes.Length,
                 };
-                if (LightsByDepths)
+                if (IgnoresNormals)
                     listed.Look.NormalPlane = 0;
                 m_listed.Add(listed);
                 bool isLit = PointLighting.LitLevelOf(listed.Look.Light) > 0;
-                IsLit |= isLit && listed.Look.NormalPlane == 0;
+                IsLitByDepths |= isLit && listed.Look.NormalPlane == 0;
                 IsLitByNormals |= isLit && listed.Look.NormalPlane > 0;
                 FiltersPoints |= !listed.Look.HiddenClasses.IsEmpty;
                 m_clouds.Add(listed.Describe(cloud.Source.Layout, cloud.Source.Planes[listed.Look.Plane],
@@ -142,7 +142,7 @@ namespace FastPoints.Drawing
                 Seen = m_seen,
                 Points = m_points,
                 ListNumber = IsProgressive ? ListNumber : 0,
-                LastInstanceOfNode = m_lastInstanceOfNode,
+                PreviousFirstInstanceOfNode = m_previousFirstInstanceOfNode,
                 ListedOfSlot = m_listedOfSlot,
             }.Run();
         }
@@ -160,7 +160,7 @@ namespace FastPoints.Drawing
             m_instanceOfBank.Dispose();
             m_seen.Dispose();
             m_points.Dispose();
-            m_lastInstanceOfNode.Dispose();
+            m_previousFirstInstanceOfNode.Dispose();
             m_listedOfSlot.Dispose();
         }
     }

@@ -26,7 +26,7 @@ namespace FastPoints.Drawing
 
         // From 1; 0 if nobody asks where nodes were in the list before this one.
         public int ListNumber;
-        public NativeList<uint> LastInstanceOfNode;
+        public NativeList<uint> PreviousFirstInstanceOfNode;
         public NativeList<ListedSlot> ListedOfSlot;
 
         public void Execute()
@@ -35,7 +35,7 @@ namespace FastPoints.Drawing
             Draws.Clear();
             Seen.Clear();
             InstanceOfBank.Clear();
-            LastInstanceOfNode.Clear();
+            PreviousFirstInstanceOfNode.Clear();
             Points.Value = 0;
             int instances = CountBlocks();
             NodeOfInstance.ResizeUninitialized(instances);
@@ -95,7 +95,7 @@ namespace FastPoints.Drawing
                     nodeOfInstance[instance + block] = (uint)Nodes.Length;
                 Nodes.Add(node);
                 if (ListNumber > 0)
-                    LastInstanceOfNode.Add(ReplaceFirstInstance(drawn, node.FirstInstance));
+                    PreviousFirstInstanceOfNode.Add(ReplaceFirstInstance(drawn, node.FirstInstance));
             }
         }
 

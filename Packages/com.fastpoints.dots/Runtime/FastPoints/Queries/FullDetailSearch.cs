@@ -123,7 +123,7 @@ namespace FastPoints.Queries
 
         static PickOptions Unlimited(PickOptions options)
         {
-            options.FinestSpacing = 0;
+            options.FinestSpacingShare = 0;
             options.MaxBytes = long.MaxValue;
             return options;
         }
@@ -156,7 +156,7 @@ namespace FastPoints.Queries
             // All have ended with the stream.
             if (kept < 0 || kept >= m_pickers.Count)
                 return;
-            m_pickers[kept].Picker.ReleaseTables();
+            m_pickers[kept].Picker.TrimHierarchy();
             SetRented(kept, false);
         }
 

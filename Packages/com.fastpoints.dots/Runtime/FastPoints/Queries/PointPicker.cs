@@ -71,7 +71,7 @@ namespace FastPoints.Queries
             finally
             {
                 m_details.Abandon();
-                ReleaseTables();
+                TrimHierarchy();
             }
         }
 
@@ -94,7 +94,7 @@ namespace FastPoints.Queries
                 PushRoots(0, double.PositiveInfinity);
                 while (TakeNearest())
                 {
-                    while (!ArePagesKnown())
+                    while (!TryPreparePages())
                         yield return Source.Reading;
                     bool hasMore = BeginTaken(clips);
                     while (!TryContinueReads())
@@ -166,7 +166,7 @@ namespace FastPoints.Queries
         }
 
         // Whether all pages that were taken can be built; if not, the source continues to read them.
-        bool ArePagesKnown()
+        bool TryPreparePages()
         {
             bool areKnown = true;
             foreach (var taken in m_taken)
@@ -276,7 +276,7 @@ namespace FastPoints.Queries
         void Push(int page, int node, double3 center, double3 half, double spacingAbove)
         {
             if (!m_space.Intersects(center, half, out double distance) || distance > m_hits.Limit ||
-                spacingAbove * m_largestScale < m_options.FinestSpacing * m_query.RadiusAt(distance))
+                spacingAbove * m_largestScale < m_options.FinestSpacingShare * m_query.RadiusAt(distance))
                 return;
             m_queue.Push(new PickCandidate { Distance = distance, Page = page, Node = node, SpacingAbove = spacingAbove });
         }
@@ -287,7 +287,7 @@ namespace FastPoints.Queries
             return math.mul(placement.Linear, new double3(from.X, from.Y, from.Z) * Source.Grid.Step) + placement.OriginWorld;
         }
 
-        public unsafe void ReleaseTables()
+        public unsafe void TrimHierarchy()
         {
             if (m_cloud.HierarchyBytes <= MaxHierarchyBytes)
                 return;
@@ -307,7 +307,7 @@ namespace FastPoints.Queries
 
         // Nothing below a node is searched if its points lie nearer to each other than this share of the ray's radius: a screen
         // shows no more. 0 searches every point.
-        public double FinestSpacing = 0.1;
+        public double FinestSpacingShare = 0.1;
 
         // A search that has read this many bytes ends with what it has found.
         public long MaxBytes = 256 << 20;

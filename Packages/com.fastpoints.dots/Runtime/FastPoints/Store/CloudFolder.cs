@@ -73,7 +73,7 @@ namespace FastPoints.Store
         /// <summary>The pages that are known so far: page 0, and those that a loaded page links to.</summary>
         public int PageCount => m_pages.Count;
 
-        internal HierarchyGrid Grid => new HierarchyGrid(Manifest);
+        internal CloudLocalSpace Grid => new CloudLocalSpace(Manifest);
 
         internal PageLink LinkOf(int page) => m_pages[page].Link;
 
@@ -343,7 +343,8 @@ namespace FastPoints.Store
             StoreFile.Read(piece.Path, piece.OffsetBytes, piece.LengthBytes, Allocator.Persistent);
 
         // Takes over the bytes.
-        static NodeTable Check(string path, in PageLink link, in HierarchyGrid grid, StoreLayout layout, NativeArray<byte> bytes)
+        static NodeTable Check(string path, in PageLink link, in CloudLocalSpace grid, StoreLayout layout,
+            NativeArray<byte> bytes)
         {
             string problem = NodeTable.FindProblem(bytes, link, grid, layout);
             if (problem == null)

@@ -169,7 +169,7 @@ namespace FastPoints.Store
                 json.BeginObject("shown").Add("min", of.Min.x, of.Min.y, of.Min.z).Add("max", of.Max.x, of.Max.y, of.Max.z)
                     .Add("elevationMin", shown.Elevation.Min).Add("elevationMax", shown.Elevation.Max)
                     .Add("intensityMin", shown.Intensity.Min).Add("intensityMax", shown.Intensity.Max)
-                    .Add("color", shown.HasColor).Add("classes", shown.AreClassesSet).EndObject();
+                    .Add("color", shown.HasColor).Add("classes", shown.HasMeaningfulClasses).EndObject();
             }
             json.BeginArray("planes");
             foreach (var plane in CreateLayout().Planes)
@@ -216,8 +216,8 @@ namespace FastPoints.Store
             Wkt = crs.TextOrNull("wkt"),
             Epsg = crs.Int("epsg"),
             VerticalEpsg = crs.Int("verticalEpsg"),
-            MetresPerUnit = crs.Double("metresPerUnit"),
-            VerticalMetresPerUnit = crs.Has("verticalMetresPerUnit") ? crs.Double("verticalMetresPerUnit") : 0,
+            MetresPerUnit = crs.NumberOrNaN("metresPerUnit"),
+            VerticalMetresPerUnit = crs.Has("verticalMetresPerUnit") ? crs.NumberOrNaN("verticalMetresPerUnit") : 0,
             GeoKeys = !crs.Has("geoKeys") ? null
                 : new[] { Base64(crs, "geoKeys"), Base64(crs, "geoDoubles"), Base64(crs, "geoText") },
         };
@@ -239,15 +239,15 @@ namespace FastPoints.Store
                 CloudId = json.Hex("id"),
                 Generation = json.Long("generation"),
                 IsBuilding = json.Flag("building"),
-                Points = json.Count("points"),
-                PointsLeftOut = json.Count("pointsLeftOut"),
+                Points = json.NonNegative("points"),
+                PointsLeftOut = json.NonNegative("pointsLeftOut"),
                 Checksum = json.Hex("checksum"),
-                NodeCount = json.Count("nodes"),
-                ChunkCount = json.Count("chunks"),
+                NodeCount = json.NonNegative("nodes"),
+                ChunkCount = json.NonNegative("chunks"),
                 IsSingleFile = hierarchy.Flag("whole"),
-                HierarchyBytes = hierarchy.Count("bytes"),
-                RootOffset = hierarchy.Count("rootOffset"),
-                RootBytes = (int)hierarchy.Count("rootBytes", StoreFormat.MaxPageBytesToRead),
+                HierarchyBytes = hierarchy.NonNegative("bytes"),
+                RootOffset = hierarchy.NonNegative("rootOffset"),
+                RootBytes = (int)hierarchy.NonNegative("rootBytes", StoreFormat.MaxPageBytesToRead),
                 RootHash = hierarchy.Hex("rootHash"),
             };
             result.ReadGridAndBounds(json);
@@ -278,7 +278,7 @@ namespace FastPoints.Store
             if (!math.all(Grid.Step > 0))
                 throw grid.Bad("step", "positive steps");
             var root = json.Object("root");
-            Root = new GridCube(ReadGrid3(root, "corner"), (int)root.Count("sideLog2", GridCube.MaxSideLog2));
+            Root = new GridCube(ReadGrid3(root, "corner"), (int)root.NonNegative("sideLog2", GridCube.MaxSideLog2));
             var bounds = json.Object("boundsGrid");
             BoundsMin = ReadGrid3(bounds, "min");
             BoundsMax = ReadGrid3(bounds, "max");
@@ -301,7 +301,7 @@ namespace FastPoints.Store
                 if (divisor < 1 || divisor > ushort.MaxValue || (divisor > 1 && type != AttributeType.UInt16))
                     throw attribute.Bad("divisor", "1, or up to 65535 for UInt16");
                 Divisors[i] = (int)divisor;
-                Ranges[i] = new Range { Min = attribute.Double("min"), Max = attribute.Double("max") };
+                Ranges[i] = new Range { Min = attribute.NumberOrNaN("min"), Max = attribute.NumberOrNaN("max") };
             }
             Attributes = new PointSchema(schema);
         }
@@ -315,7 +315,7 @@ namespace FastPoints.Store
             var planes = json.Objects("planes");
             if (planes.Count > 0 && planes[planes.Count - 1] is var last && last.Text("kind") == StoreLayout.NormalName)
             {
-                NormalLayer = (ushort)last.Count("layer", ushort.MaxValue);
+                NormalLayer = (ushort)last.NonNegative("layer", ushort.MaxValue);
                 NormalOrientation = last.Text("orientation");
                 if (NormalLayer == 0)
                     throw last.Bad("layer", "1 or more");
@@ -336,7 +336,7 @@ namespace FastPoints.Store
             Elevation = new Range { Min = shown.Number("elevationMin"), Max = shown.Number("elevationMax") },
             Intensity = new Range { Min = shown.Number("intensityMin"), Max = shown.Number("intensityMax") },
             HasColor = shown.Flag("color"),
-            AreClassesSet = shown.Has("classes") && shown.Flag("classes"),
+            HasMeaningfulClasses = shown.Has("classes") && shown.Flag("classes"),
         };
 
         void ReadProvenance(JsonMembers json)
@@ -346,7 +346,7 @@ namespace FastPoints.Store
             {
                 if (!Enum.TryParse(time.Text("kind"), out GpsTimeKind kind))
                     throw time.Bad("kind", "a kind of GPS time");
-                GpsTime = new GpsTime(kind, (int)time.Count("offsetMegaseconds", ushort.MaxValue));
+                GpsTime = new GpsTime(kind, (int)time.NonNegative("offsetMegaseconds", ushort.MaxValue));
             }
             if (json.Has("scanners"))
                 Scanners = json.Objects("scanners").ConvertAll(scan => scan.Vector("at")).ToArray();
@@ -384,10 +384,10 @@ namespace FastPoints.Store
         public CloudManifest.Range Elevation; // Along Z, in CRS units.
         public CloudManifest.Range Intensity; // Stored values; both 0 if there is no intensity.
         public bool HasColor; // More than outliers have it.
-        public bool AreClassesSet; // Several, and most points are of one that means something.
+        public bool HasMeaningfulClasses; // Several, and most points are of one that means something.
     }
 
-    internal struct CloudSource
+    internal struct SourceEntry
     {
         // Without its folder.
         public string Name;
@@ -410,7 +410,7 @@ namespace FastPoints.Store
         // A million sources take about 100 MB.
         const int MaxTextBytes = 512 << 20;
 
-        public static string ToJson(List<CloudSource> sources)
+        public static string ToJson(List<SourceEntry> sources)
         {
             var json = new JsonWriter().BeginObject().Add("version", StoreFormat.Version);
             var systems = new List<CloudCrs>();
@@ -443,30 +443,30 @@ namespace FastPoints.Store
         }
 
         /// <exception cref="PointCloudException">The file is damaged.</exception>
-        public static List<CloudSource> Read(string folder)
+        public static List<SourceEntry> Read(string folder)
         {
             string path = SourcePath.Combine(folder, StoreFormat.SourcesName);
-            return StoreFile.TryReadText(path, out string text, MaxTextBytes) ? FromJson(text, path) : new List<CloudSource>();
+            return StoreFile.TryReadText(path, out string text, MaxTextBytes) ? FromJson(text, path) : new List<SourceEntry>();
         }
 
-        public static List<CloudSource> FromJson(string text, string path)
+        public static List<SourceEntry> FromJson(string text, string path)
         {
             var json = JsonMembers.Parse(text, path);
             json.RequireVersion(StoreFormat.Version);
             var systems = json.Has("systems") ? json.Objects("systems").ConvertAll(CloudManifest.ReadCrs) : null;
-            return json.Objects("sources").ConvertAll(source => new CloudSource
+            return json.Objects("sources").ConvertAll(source => new SourceEntry
             {
                 Name = source.Text("name"),
-                FileBytes = source.Count("bytes"),
-                Points = source.Count("points"),
+                FileBytes = source.NonNegative("bytes"),
+                Points = source.NonNegative("points"),
                 HeadHash = source.Has("head") ? source.Hex("head") : 0,
-                Crs = systems?[(int)source.Count("system", systems.Count - 1)],
+                Crs = systems?[(int)source.NonNegative("system", systems.Count - 1)],
             });
         }
     }
 
     // Maps grid positions to a cloud's own space: CRS units from the corner of the root cube.
-    internal struct HierarchyGrid
+    internal struct CloudLocalSpace
     {
         public Grid3 Corner;
         public double3 Step;
@@ -475,7 +475,7 @@ namespace FastPoints.Store
         public Grid3 BoundsMax;
         public ulong CloudId;
 
-        public HierarchyGrid(CloudManifest manifest)
+        public CloudLocalSpace(CloudManifest manifest)
         {
             CloudId = manifest.CloudId;
             Corner = manifest.Root.Corner;

@@ -36,7 +36,7 @@ namespace FastPoints.Store
         {
             var attributes = new List<PointAttribute>(schema);
             foreach (string column in StoreLayout.NormalColumns)
-                if (folder.Layout.ComputedPlanes > 0)
+                if (folder.Layout.ComputedPlaneCount > 0)
                     attributes.Add(new PointAttribute(column, AttributeType.UInt8));
             return new PointSchema(attributes);
         }
@@ -58,19 +58,19 @@ namespace FastPoints.Store
         static IEnumerator<JobStep> Run(CloudFolder folder, CloudSelection selection, PointBatch batch,
             StageProgress progress, long maxBytes, bool isComputed)
         {
-            var fetched = new Queue<(PageLoad Load, int Part, StoreRead Read)>();
-            var inFlight = new Queue<(PageLoad Load, int Part, StoreRead Read, JobHandle Decoded)>();
+            var fetched = new Queue<(PageLoad Load, int Segment, StoreRead Read)>();
+            var inFlight = new Queue<(PageLoad Load, int Segment, StoreRead Read, JobHandle Decoded)>();
             int max = folder.RemoteOfTable(0) != null ? RemotePartsInFlight : PartsInFlight;
             var loads = new List<PageLoad>();
             var decoded = default(JobHandle);
 
-            bool IsAnyDecoding()
+            bool TryScheduleFetched()
             {
                 while (fetched.Count > 0 && fetched.Peek().Read.IsFetched)
                 {
-                    var (load, part, read) = fetched.Dequeue();
-                    decoded = load.Schedule(part, read.Bytes, JobHandle.CombineDependencies(decoded, read.Done));
-                    inFlight.Enqueue((load, part, read, decoded));
+                    var (load, segment, read) = fetched.Dequeue();
+                    decoded = load.Schedule(segment, read.Bytes, JobHandle.CombineDependencies(decoded, read.Done));
+                    inFlight.Enqueue((load, segment, read, decoded));
                 }
                 return inFlight.Count > 0;
             }
@@ -83,25 +83,25 @@ namespace FastPoints.Store
                     var load = new PageLoad(selection, page, batch, points, maxBytes, isComputed);
                     loads.Add(load);
                     points += load.Points;
-                    for (int part = 0; part < load.Parts.Count; part++)
+                    for (int segment = 0; segment < load.Segments.Count; segment++)
                     {
                         StoreRead read = null;
                         if (inFlight.Count + fetched.Count == max)
                         {
-                            while (!IsAnyDecoding())
+                            while (!TryScheduleFetched())
                                 yield return default;
                             yield return inFlight.Peek().Decoded;
                             read = Complete(inFlight, selection, progress);
                         }
                         read ??= new StoreRead();
-                        load.Begin(part, read);
-                        fetched.Enqueue((load, part, read));
-                        IsAnyDecoding();
+                        load.Begin(segment, read);
+                        fetched.Enqueue((load, segment, read));
+                        TryScheduleFetched();
                     }
                 }
                 while (inFlight.Count + fetched.Count > 0)
                 {
-                    while (!IsAnyDecoding())
+                    while (!TryScheduleFetched())
                         yield return default;
                     yield return inFlight.Peek().Decoded;
                     Complete(inFlight, selection, progress).Dispose();
@@ -120,18 +120,18 @@ namespace FastPoints.Store
             }
         }
 
-        /// <summary>Ends the oldest part.</summary>
+        /// <summary>Ends the oldest segment.</summary>
         /// <returns>Its read, which is free.</returns>
-        static StoreRead Complete(Queue<(PageLoad Load, int Part, StoreRead Read, JobHandle Decoded)> inFlight,
+        static StoreRead Complete(Queue<(PageLoad Load, int Segment, StoreRead Read, JobHandle Decoded)> inFlight,
             CloudSelection selection, StageProgress progress)
         {
             // It stays in the queue, whose reads are disposed, until it has been checked.
-            var (load, part, read, decoded) = inFlight.Peek();
+            var (load, segment, read, decoded) = inFlight.Peek();
             decoded.Complete();
             read.Complete();
-            load.Check(part);
+            load.Check(segment);
             inFlight.Dequeue();
-            if (part == load.Parts.Count - 1)
+            if (segment == load.Segments.Count - 1)
             {
                 load.Dispose();
                 progress?.Report(load.EndPoint / (double)Math.Max(1, selection.Points), load.EndPoint, 0);
@@ -139,7 +139,7 @@ namespace FastPoints.Store
             return read;
         }
 
-        struct Part
+        struct Segment
         {
             public int FirstNode;
             public int NodeCount;
@@ -196,7 +196,7 @@ namespace FastPoints.Store
                     bool isRefined = selection.IsRefined(page, chosen[i]);
                     for (int p = 0; p < planes.Count; p++)
                     {
-                        int average = isRefined ? -1 : folder.Layout.AverageOf(planes[p]);
+                        int average = isRefined ? -1 : folder.Layout.AveragePlaneOf(planes[p]);
                         var range = table.Planes[node.PlaneNode * table.PlaneCount + (average >= 0 ? average : planes[p])];
                         ranges[i * planes.Count + p] = range;
                         begins[i] = Math.Min(begins[i], range.OffsetBytes);
@@ -208,10 +208,10 @@ namespace FastPoints.Store
                 for (int i = 0; i < m_order.Length; i++)
                     m_order[i] = i;
                 Array.Sort(m_order, (a, b) => begins[a].CompareTo(begins[b]));
-                Parts = Cut(m_order, begins, ends, maxBytes);
+                Segments = Cut(m_order, begins, ends, maxBytes);
                 m_nodes = new NativeArray<ChosenNode>(Array.ConvertAll(m_order, i => nodes[i]), Allocator.Persistent);
                 m_ranges = new NativeArray<PlaneRange>(ranges, Allocator.Persistent);
-                m_isDamaged = new NativeArray<bool>[Parts.Count];
+                m_isDamaged = new NativeArray<bool>[Segments.Count];
             }
 
             // Those whose attributes are all in the batch, and the positions; or those that were computed.
@@ -251,40 +251,40 @@ namespace FastPoints.Store
                 return planes;
             }
 
-            public List<Part> Parts { get; }
+            public List<Segment> Segments { get; }
             public int Points { get; }
 
             public int EndPoint { get; }
 
             public void Begin(int number, StoreRead read)
             {
-                var part = Parts[number];
+                var segment = Segments[number];
                 var remote = m_selection.RemoteOf(m_page, m_isComputed);
                 if (remote == null)
                 {
-                    read.Begin(m_selection.PathOf(m_page, m_isComputed), part.FirstByte, part.ByteCount);
+                    read.Begin(m_selection.PathOf(m_page, m_isComputed), segment.FirstByte, segment.ByteCount);
                     return;
                 }
                 // What lies between the planes stays on the server.
                 var pieces = new List<PlaneRange>();
                 int planes = (m_isComputed ? 0 : 1) + m_shapes.Length;
-                for (int i = part.FirstNode; i < part.FirstNode + part.NodeCount; i++)
+                for (int i = segment.FirstNode; i < segment.FirstNode + segment.NodeCount; i++)
                     for (int p = 0; p < planes; p++)
                         pieces.Add(m_ranges[m_nodes[i].FirstRange + p]);
-                read.Begin(remote, part.FirstByte, part.ByteCount, pieces);
+                read.Begin(remote, segment.FirstByte, segment.ByteCount, pieces);
             }
 
             public JobHandle Schedule(int number, NativeArray<byte> bytes, JobHandle inputDeps)
             {
-                var part = Parts[number];
+                var segment = Segments[number];
                 var schema = m_batch.Schema;
-                m_isDamaged[number] = new NativeArray<bool>(part.NodeCount, Allocator.Persistent);
+                m_isDamaged[number] = new NativeArray<bool>(segment.NodeCount, Allocator.Persistent);
                 return new DecodeNodesJob
                 {
                     File = bytes,
-                    FileOffset = part.FirstByte,
+                    FileOffset = segment.FirstByte,
                     FirstPlane = m_isComputed ? 1 : 0,
-                    Nodes = m_nodes.GetSubArray(part.FirstNode, part.NodeCount),
+                    Nodes = m_nodes.GetSubArray(segment.FirstNode, segment.NodeCount),
                     Ranges = m_ranges,
                     Shapes = m_shapes,
                     Columns = m_columns,
@@ -294,18 +294,18 @@ namespace FastPoints.Store
                     Z = m_batch.Column(schema.IndexOf(AttributeNames.Z)),
                     Batch = m_batch.Bytes,
                     IsDamaged = m_isDamaged[number],
-                }.Schedule(part.NodeCount, 1, inputDeps);
+                }.Schedule(segment.NodeCount, 1, inputDeps);
             }
 
-            /// <exception cref="PointCloudException">A node of the part is damaged.</exception>
+            /// <exception cref="PointCloudException">A node of the segment is damaged.</exception>
             public void Check(int number)
             {
-                var part = Parts[number];
-                for (int i = 0; i < part.NodeCount; i++)
+                var segment = Segments[number];
+                for (int i = 0; i < segment.NodeCount; i++)
                     if (m_isDamaged[number][i])
                         throw new PointCloudException(FailureCode.BadInput, m_selection.PathOf(m_page, m_isComputed),
-                            m_ranges[m_nodes[part.FirstNode + i].FirstRange].OffsetBytes,
-                            "node " + m_selection.NodesOf(m_page)[m_order[part.FirstNode + i]] + " is damaged");
+                            m_ranges[m_nodes[segment.FirstNode + i].FirstRange].OffsetBytes,
+                            "node " + m_selection.NodesOf(m_page)[m_order[segment.FirstNode + i]] + " is damaged");
             }
 
             public void Dispose()
@@ -322,22 +322,22 @@ namespace FastPoints.Store
                         isDamaged.Dispose();
             }
 
-            static List<Part> Cut(int[] order, long[] begins, long[] ends, long maxBytes)
+            static List<Segment> Cut(int[] order, long[] begins, long[] ends, long maxBytes)
             {
-                var parts = new List<Part>();
+                var segments = new List<Segment>();
                 for (int i = 0; i < order.Length; i++)
                 {
                     long begin = begins[order[i]], end = ends[order[i]];
-                    var part = parts.Count > 0 ? parts[parts.Count - 1] : default;
+                    var segment = segments.Count > 0 ? segments[segments.Count - 1] : default;
                     // A node whose planes lie apart would have what is between them read again.
-                    bool isFar = end - (part.FirstByte + part.ByteCount) > (end - begin) / 2;
-                    if (parts.Count == 0 || (isFar && end > part.FirstByte + Math.Max(part.ByteCount, maxBytes)))
-                        parts.Add(part = new Part { FirstNode = i, FirstByte = begin });
-                    part.NodeCount++;
-                    part.ByteCount = Math.Max(part.ByteCount, end - part.FirstByte);
-                    parts[parts.Count - 1] = part;
+                    bool isFar = end - (segment.FirstByte + segment.ByteCount) > (end - begin) / 2;
+                    if (segments.Count == 0 || (isFar && end > segment.FirstByte + Math.Max(segment.ByteCount, maxBytes)))
+                        segments.Add(segment = new Segment { FirstNode = i, FirstByte = begin });
+                    segment.NodeCount++;
+                    segment.ByteCount = Math.Max(segment.ByteCount, end - segment.FirstByte);
+                    segments[segments.Count - 1] = segment;
                 }
-                return parts;
+                return segments;
             }
         }
     }

@@ -43,11 +43,11 @@ namespace FastPoints.Store
         }
 
         // What is wrong with a page, or null: to be checked before it is used. On any thread.
-        internal static string FindProblem(NativeArray<byte> bytes, in PageLink link, in HierarchyGrid grid, StoreLayout layout)
+        internal static string FindProblem(NativeArray<byte> bytes, in PageLink link, in CloudLocalSpace grid, StoreLayout layout)
         {
             using var shapes = layout.CreateShapes(Allocator.Persistent);
             var check = new TableCheck(bytes, link, grid, (PlaneShape*)shapes.GetUnsafeReadOnlyPtr(), shapes.Length,
-                layout.ComputedPlanes);
+                layout.ComputedPlaneCount);
             var problem = check.FindProblem();
             return problem.IsNone ? null : Describe(problem, check);
         }

@@ -107,7 +107,7 @@ namespace FastPoints.Store
                 m_planes[m_planes.Count - 1].AverageOf = p;
             }
             if (hasNormals)
-                m_planes.Add(NormalsFrom(columns));
+                m_planes.Add(CreateNormalPlane(columns));
             for (int c = 0; hasNormals && c < 2; c++)
             {
                 attributeOfColumn[columns] = -1;
@@ -133,7 +133,7 @@ namespace FastPoints.Store
         /// <summary>Bytes of a record's attributes.</summary>
         public int AttributeBytes { get; }
 
-        static Plane NormalsFrom(int column) => new Plane
+        static Plane CreateNormalPlane(int column) => new Plane
         {
             Name = NormalName,
             FirstColumn = column,
@@ -150,9 +150,9 @@ namespace FastPoints.Store
             plane.IsComputed ? NormalColumns[column - plane.FirstColumn] : Attributes[AttributeOfColumn[column]].Name;
 
         /// <returns>The plane with the averages of another, or -1.</returns>
-        public int AverageOf(int plane) => plane == PositionPlane ? -1 : m_planes.FindIndex(p => p.AverageOf == plane);
+        public int AveragePlaneOf(int plane) => plane == PositionPlane ? -1 : m_planes.FindIndex(p => p.AverageOf == plane);
 
-        internal int ComputedPlanes => m_planes[m_planes.Count - 1].IsComputed ? 1 : 0;
+        internal int ComputedPlaneCount => m_planes[m_planes.Count - 1].IsComputed ? 1 : 0;
 
         /// <returns>The plane of that name, or -1.</returns>
         public int PlaneOf(string name) => m_planes.FindIndex(p => p.Name == name);

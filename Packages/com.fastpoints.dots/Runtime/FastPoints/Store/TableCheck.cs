@@ -17,7 +17,7 @@ namespace FastPoints.Store
         readonly int m_computedPlanes; // At the end.
         PageHeader m_header;
 
-        public TableCheck(NativeArray<byte> bytes, in PageLink link, in HierarchyGrid grid, PlaneShape* shapes, int planeCount,
+        public TableCheck(NativeArray<byte> bytes, in PageLink link, in CloudLocalSpace grid, PlaneShape* shapes, int planeCount,
             int computedPlanes = 0)
         {
             Page = PageView.Of(bytes);

@@ -21,7 +21,7 @@ namespace FastPoints.Streaming
         public CloudVersions(StreamContext stream) => m_stream = stream;
 
         /// <summary>Number of the state that is shown; <see cref="None"/> before the first one.</summary>
-        public int Cloud { get; private set; } = None;
+        public int ShownNumber { get; private set; } = None;
 
         /// <summary>Number of the preview that is shown beside a build in progress, or <see cref="None"/>.</summary>
         public int Preview { get; private set; } = None;
@@ -36,9 +36,9 @@ namespace FastPoints.Streaming
         {
             int added = m_stream.Add(source, placement ?? PlacementFor(source));
             m_frameAdded = m_stream.Selector.Frame;
-            if (Cloud == None)
+            if (ShownNumber == None)
             {
-                Cloud = added;
+                ShownNumber = added;
                 m_stage = stage;
                 return;
             }
@@ -51,7 +51,7 @@ namespace FastPoints.Streaming
         /// <summary>Moves all states in the stream: the placement is the shown one's.</summary>
         public void Place(in CloudPlacement placement)
         {
-            var shown = m_stream.Clouds[Cloud];
+            var shown = m_stream.Clouds[ShownNumber];
             shown.Placement = placement;
             if (Preview != None)
                 m_stream.Clouds[Preview].Placement = placement.ForVersion(shown.Source, m_stream.Clouds[Preview].Source);
@@ -59,7 +59,7 @@ namespace FastPoints.Streaming
                 m_stream.Clouds[Next].Placement = placement.ForVersion(shown.Source, m_stream.Clouds[Next].Source);
         }
 
-        /// <summary>Updates the states once after each frame. Returns whether <see cref="Cloud"/> has changed.</summary>
+        /// <summary>Updates the states once after each frame. Returns whether <see cref="ShownNumber"/> has changed.</summary>
         public bool Update()
         {
             if (Next == None || !IsReady(Next))
@@ -74,23 +74,23 @@ namespace FastPoints.Streaming
             }
             if (m_nextStage == CloudStage.Building && m_stage == CloudStage.Preview)
             {
-                Preview = Cloud;
+                Preview = ShownNumber;
             }
             else
             {
-                m_stream.Remove(Cloud);
+                m_stream.Remove(ShownNumber);
                 if (m_nextStage != CloudStage.Building)
                 {
                     Remove(Preview);
                     Preview = None;
                 }
             }
-            Cloud = next;
+            ShownNumber = next;
             m_stage = m_nextStage;
             return true;
         }
 
-        /// <summary>Removes a build that was aborted. Returns whether <see cref="Cloud"/> has changed.</summary>
+        /// <summary>Removes a build that was aborted. Returns whether <see cref="ShownNumber"/> has changed.</summary>
         public bool DropBuild()
         {
             if (Next != None && m_nextStage == CloudStage.Building)
@@ -98,23 +98,23 @@ namespace FastPoints.Streaming
                 m_stream.Remove(Next);
                 Next = None;
             }
-            if (Cloud == None || m_stage != CloudStage.Building)
+            if (ShownNumber == None || m_stage != CloudStage.Building)
                 return false;
             m_stage = CloudStage.Preview;
             if (Preview == None)
                 return false;
-            m_stream.Remove(Cloud);
-            Cloud = Preview;
+            m_stream.Remove(ShownNumber);
+            ShownNumber = Preview;
             Preview = None;
             return true;
         }
 
         internal void Remove()
         {
-            Remove(Cloud);
+            Remove(ShownNumber);
             Remove(Preview);
             Remove(Next);
-            Cloud = Preview = Next = None;
+            ShownNumber = Preview = Next = None;
         }
 
         void Remove(int cloud)
@@ -123,9 +123,9 @@ namespace FastPoints.Streaming
                 m_stream.Remove(cloud);
         }
 
-        CloudPlacement PlacementFor(NodeSource source) => Cloud == None
+        CloudPlacement PlacementFor(NodeSource source) => ShownNumber == None
             ? CloudPlacement.Geo(source.Grid, source.Root)
-            : m_stream.Clouds[Cloud].Placement.ForVersion(m_stream.Clouds[Cloud].Source, source);
+            : m_stream.Clouds[ShownNumber].Placement.ForVersion(m_stream.Clouds[ShownNumber].Source, source);
 
         unsafe bool HasFailed(SelectedNode node)
         {

@@ -10,7 +10,7 @@ namespace FastPoints.Streaming
     public sealed class FolderSource : NodeSource
     {
         readonly CloudFolder m_folder;
-        readonly HierarchyGrid m_grid;
+        readonly CloudLocalSpace m_grid;
         readonly List<ulong[]> m_checked = new List<ulong[]>(); // By page, once registered: see VerifiedPlanes.
         NativeArray<int> m_planes;
         NativeArray<PlaneShape> m_shapes;
@@ -19,7 +19,7 @@ namespace FastPoints.Streaming
         public FolderSource(CloudFolder folder, params string[] planes)
         {
             m_folder = folder;
-            m_grid = new HierarchyGrid(folder.Manifest);
+            m_grid = new CloudLocalSpace(folder.Manifest);
             var wanted = new SortedSet<int> { StoreLayout.PositionPlane };
             foreach (string name in planes)
                 if (folder.Layout.PlaneOf(name) >= 0)
@@ -161,7 +161,7 @@ namespace FastPoints.Streaming
                 Link = m_folder.LinkOf(page),
                 Grid = m_grid,
                 Shapes = m_shapes,
-                ComputedPlanes = m_folder.Layout.ComputedPlanes,
+                ComputedPlaneCount = m_folder.Layout.ComputedPlaneCount,
                 Wanted = m_planes,
                 Built = built,
                 Problem = problem,

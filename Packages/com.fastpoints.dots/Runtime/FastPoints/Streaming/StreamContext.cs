@@ -221,7 +221,7 @@ namespace FastPoints.Streaming
             for (int c = 0; c < m_state.Clouds.Count; c++)
                 bytes += m_state.Clouds[c] != null ? m_state.Clouds[c].HierarchyBytes : 0;
             HierarchyBytes = bytes;
-            if (bytes <= Settings.HierarchyBytes)
+            if (bytes <= Settings.MaxHierarchyBytes)
                 return;
             if (m_unloadCloud >= m_state.Clouds.Count || m_state.Clouds[m_unloadCloud] == null ||
                 ++m_unloadPage >= m_state.Clouds[m_unloadCloud].PageCount)

@@ -9,14 +9,14 @@ namespace FastPoints.Streaming
         public int MaxReads = 24;
 
         /// <summary>Bytes of one read, unless a single node has more: neighbours in a file are read together.</summary>
-        public int BytesPerRead = 1 << 20;
+        public int MaxBytesPerRead = 1 << 20;
 
         /// <summary>Gaps between two planes of one file up to this are read along: another read would take longer.</summary>
-        public int GapBytes = 32 << 10;
+        public int MaxGapBytes = 32 << 10;
 
         /// <summary>The most bytes and nodes that are copied into the pool in one frame; one node always is.</summary>
-        public int UploadBytesPerFrame = 4 << 20;
-        public int UploadNodesPerFrame = 512;
+        public int MaxUploadBytesPerFrame = 4 << 20;
+        public int MaxUploadNodesPerFrame = 512;
 
         /// <summary>After this many consecutive failures, a file or a damaged node becomes a hole.</summary>
         public int MaxTries = 3;
@@ -41,7 +41,7 @@ namespace FastPoints.Streaming
         public float FadeSeconds;
 
         /// <summary>Bytes of hierarchy pages that are kept even if they have been out of view for a while.</summary>
-        public long HierarchyBytes = 256L << 20;
+        public long MaxHierarchyBytes = 256L << 20;
     }
 
     /// <summary>Limits of a selection. Blittable, for jobs.</summary>

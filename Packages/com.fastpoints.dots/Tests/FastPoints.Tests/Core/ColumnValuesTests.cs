@@ -38,7 +38,7 @@ namespace FastPoints.Tests.Core
             var range = RangeOf(batch);
             Assert.That(range.Min, Is.EqualTo(min));
             Assert.That(range.Max, Is.EqualTo(max));
-            Assert.That(range.Finite, Is.EqualTo(5));
+            Assert.That(range.FiniteCount, Is.EqualTo(5));
         }
 
         [Test]
@@ -46,7 +46,7 @@ namespace FastPoints.Tests.Core
         {
             using var batch = Column(AttributeType.Float32, double.NaN, 2, double.PositiveInfinity, double.NegativeInfinity);
             var range = RangeOf(batch);
-            Assert.That(range.NonFinite, Is.EqualTo(3));
+            Assert.That(range.NonFiniteCount, Is.EqualTo(3));
             Assert.That(range.Min, Is.EqualTo(2));
             Assert.That(range.Max, Is.EqualTo(2));
         }
@@ -161,7 +161,7 @@ namespace FastPoints.Tests.Core
                 new double3(4, -5, 6), new double3(0, 0, double.PositiveInfinity));
             var transform = new PositionTransform { Scale = new double3(2, -1, 1), Offset = new double3(100, 0, 0) };
             var found = PositionBounds.RunImmediate(batch, transform);
-            Assert.That(found.NonFinite, Is.EqualTo(2));
+            Assert.That(found.NonFiniteCount, Is.EqualTo(2));
             Assert.That(found.Bounds.Min, Is.EqualTo(new double3(102, -2, 3)));
             Assert.That(found.Bounds.Max, Is.EqualTo(new double3(108, 5, 6)));
         }

@@ -51,10 +51,10 @@ namespace FastPoints.Tests.Drawing
             var view = StreamView.Everything(1000);
             Settle(stream, view);
             using var list = List(stream, view);
-            Assert.That(list.LastInstanceOfNode.Length, Is.Zero, "nobody asked");
+            Assert.That(list.PreviousFirstInstanceOfNode.Length, Is.Zero, "nobody asked");
             list.IsProgressive = true;
             list.Build(stream, view);
-            Assert.That(list.LastInstanceOfNode, Is.All.EqualTo(ListedSlot.None));
+            Assert.That(list.PreviousFirstInstanceOfNode, Is.All.EqualTo(ListedSlot.None));
             var before = list.Nodes.ToArray();
             // One node has another tenant, the others are in another order.
             var drawn = stream.Drawn.AsArray();
@@ -68,7 +68,7 @@ namespace FastPoints.Tests.Drawing
                 var same = list.Nodes[node];
                 uint last = before.Single(b => b.PositionWord == same.PositionWord && b.AnchorView.Equals(same.AnchorView))
                     .FirstInstance;
-                Assert.That(list.LastInstanceOfNode[node], Is.EqualTo(node == 1 ? ListedSlot.None : last));
+                Assert.That(list.PreviousFirstInstanceOfNode[node], Is.EqualTo(node == 1 ? ListedSlot.None : last));
             }
             Assert.That(list.Nodes.ToArray().Select(n => n.FirstInstance), Is.Not.EqualTo(before.Select(b => b.FirstInstance)));
         }

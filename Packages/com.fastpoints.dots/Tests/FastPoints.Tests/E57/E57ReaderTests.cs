@@ -86,7 +86,7 @@ namespace FastPoints.Tests.E57
             var random = new Random(4);
             using var path = new TemporaryFile(file, ".e57");
             using var reader = E57Reader.Open(path.Path);
-            JobCoroutine.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.IndexBlocks());
             using var read = reader.CreateRead(reader.Info.Schema.Select("X", "Red"), 5000, Allocator.Persistent);
             for (int i = 0; i < 40; i++)
             {
@@ -108,7 +108,7 @@ namespace FastPoints.Tests.E57
             var whole = FileContents.OfE57(file);
             using var path = new TemporaryFile(file, ".e57");
             using var reader = E57Reader.Open(path.Path);
-            JobCoroutine.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.IndexBlocks());
             int[] x = whole.Column<int>("X");
             var reads = new BlockRead[reader.BlockCount];
             for (int i = 0; i < reads.Length; i++)

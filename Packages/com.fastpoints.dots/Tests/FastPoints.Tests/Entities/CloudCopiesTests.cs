@@ -99,7 +99,7 @@ namespace FastPoints.Tests.Entities
             if (moment == Moment.Opening)
                 Frame();
             else if (moment == Moment.Opened)
-                while (m_group.Live.Find(entity)?.Source == null)
+                while (m_group.Live.Find(entity)?.NextSource == null)
                     m_world.GetExistingSystemManaged<OpenCloudsSystem>().Update();
             else if (moment == Moment.Shown)
                 PointsDrawn();

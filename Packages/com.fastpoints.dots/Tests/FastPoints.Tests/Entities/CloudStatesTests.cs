@@ -199,7 +199,7 @@ namespace FastPoints.Tests.Entities
             PointCloudPaths.PathOfAsset = _ => throw new ArgumentException("Illegal characters in path.");
             try
             {
-                Add(new PointCloudPaths { Path = "quoted", ProjectPath = PointCloudPaths.OfAsset + "7" });
+                Add(new PointCloudPaths { Path = "quoted", ProjectPath = PointCloudPaths.AssetPrefix + "7" });
                 var refused = m_cloud;
                 using var cloud = new StreamedTestCloud(20_000, 8000);
                 Add(new PointCloudPaths { Path = cloud.Path });

@@ -147,11 +147,11 @@ namespace FastPoints.Tests.Entities
         {
             Begin();
             var broken = Add();
-            m_group.Live.Find(broken).Source.Dispose();
+            m_group.Live.Find(broken).NextSource.Dispose();
             Add();
             Assert.That(Settle(StreamedTestCloud.Overview()).DrawnPoints, Is.GreaterThan(20_000));
             Assert.That(m_group.ErrorOf(broken), Is.Not.Null);
-            Assert.That(m_group.Live.Find(broken).Source, Is.Null, "it is not tried again");
+            Assert.That(m_group.Live.Find(broken).NextSource, Is.Null, "it is not tried again");
         }
 
         [Test]
@@ -177,7 +177,7 @@ namespace FastPoints.Tests.Entities
             Assert.That(Count<NodeDrawn>(), Is.EqualTo(stats.DrawnNodes));
             Assert.That(Count<NodeResident>(), Is.EqualTo(stats.CachedNodes));
             Assert.That(Count<NodeRequested>(), Is.Zero);
-            Assert.That(m_group.Live.Find(cloud).Source, Is.Null);
+            Assert.That(m_group.Live.Find(cloud).NextSource, Is.Null);
             long points = 0;
             foreach (var entity in All<NodeDrawn>())
             {
@@ -401,7 +401,7 @@ namespace FastPoints.Tests.Entities
             {
                 Points = 5000,
                 PoolBytes = 1 << 17,
-                UploadBytesPerFrame = 1 << 14,
+                MaxUploadBytesPerFrame = 1 << 14,
                 MinNodePx = 2,
             });
             var stats = Frame(StreamedTestCloud.Overview());

@@ -22,9 +22,9 @@ namespace FastPoints.Tests.Evaluation
             return draw;
         }
 
-        static PreviewCloud Preview(MemoryPointReader reader, PreviewOptions options)
+        static PreviewPicture Preview(MemoryPointReader reader, PreviewOptions options)
         {
-            var preview = new PreviewCloud(reader, options);
+            var preview = new PreviewPicture(reader, options);
             JobCoroutine.RunToEnd(preview.Run(new StageProgress()));
             return preview;
         }
@@ -127,7 +127,7 @@ namespace FastPoints.Tests.Evaluation
         {
             using var reader = Scan(5000, 1000);
             var progress = new StageProgress();
-            using var preview = new PreviewCloud(reader, new PreviewOptions { Picture = Small() });
+            using var preview = new PreviewPicture(reader, new PreviewOptions { Picture = Small() });
             JobCoroutine.RunToEnd(preview.Run(progress));
             Assert.That(progress.Finished.Select(stage => stage.Name), Is.EqualTo(new[] { "sample", "draw" }));
         }

@@ -38,7 +38,7 @@ namespace FastPoints.Tests.Evaluation
             };
             var summary = Summarise(reader, slots);
             Assert.That(summary.Points, Is.EqualTo(2000));
-            Assert.That(summary.NonFinite, Is.EqualTo(0));
+            Assert.That(summary.NonFiniteCount, Is.EqualTo(0));
             Assert.That(summary.Bounds.Min.x, Is.EqualTo(minX * 0.01 + 5e5));
             Assert.That(summary.Bounds.Max.x, Is.EqualTo(maxX * 0.01 + 5e5));
             Assert.That(summary.Columns[0].Sum, Is.EqualTo(sumX));
@@ -103,9 +103,10 @@ namespace FastPoints.Tests.Evaluation
                             Add(ref single, type, first + i * size);
                     }
                 }
-                Assert.That((whole.Sum, whole.MinText, whole.MaxText, whole.Finite, whole.NonFinite),
-                    Is.EqualTo((single.Sum, single.MinText, single.MaxText, single.Finite, single.NonFinite)), type.ToString());
-                Assert.That(whole.Finite + whole.NonFinite, Is.EqualTo(count));
+                Assert.That((whole.Sum, whole.MinText, whole.MaxText, whole.Finite, whole.NonFiniteCount),
+                    Is.EqualTo((single.Sum, single.MinText, single.MaxText, single.Finite, single.NonFiniteCount)),
+                    type.ToString());
+                Assert.That(whole.Finite + whole.NonFiniteCount, Is.EqualTo(count));
                 if (type == AttributeType.Int16 || type == AttributeType.UInt8)
                 {
                     long sum = 0, min = long.MaxValue, max = long.MinValue;
@@ -135,7 +136,7 @@ namespace FastPoints.Tests.Evaluation
             reader.Info.Transform = new PositionTransform { Scale = x, Offset = y };
             var expected = PositionBounds.RunImmediate(batch, reader.Info.Transform);
             var summary = Summarise(reader, 3);
-            Assert.That((summary.Bounds, summary.NonFinite), Is.EqualTo((expected.Bounds, expected.NonFinite)));
+            Assert.That((summary.Bounds, summary.NonFiniteCount), Is.EqualTo((expected.Bounds, expected.NonFiniteCount)));
         }
 
         [Test]
@@ -144,9 +145,9 @@ namespace FastPoints.Tests.Evaluation
             var batch = TestBatches.OfPositions(new double3(1, 2, 3), new double3(double.NaN, 50, 60), new double3(7, 8, 9));
             using var reader = new MemoryPointReader(batch, 2);
             var summary = Summarise(reader, 2);
-            Assert.That(summary.NonFinite, Is.EqualTo(1));
+            Assert.That(summary.NonFiniteCount, Is.EqualTo(1));
             Assert.That(summary.Bounds.Max, Is.EqualTo(new double3(7, 8, 9)));
-            Assert.That(summary.Columns[0].NonFinite, Is.EqualTo(1));
+            Assert.That(summary.Columns[0].NonFiniteCount, Is.EqualTo(1));
             Assert.That(summary.Columns[0].Finite, Is.EqualTo(2));
             Assert.That(summary.Columns[1].Max, Is.EqualTo(50));
         }

@@ -42,7 +42,7 @@ namespace FastPoints.Tests.Export
         /// <summary>The points as sorted text of the named attributes; scan angles as formats 6 to 8 count them.</summary>
         static string[] Rows(PointReader reader, string[] names, double3 step)
         {
-            ReadPoints.FindBlocks(reader);
+            ReadPoints.IndexBlocks(reader);
             var rows = new List<string>();
             var wanted = reader.Info.Schema.Select(names);
             var values = new double[reader.MaxPointsPerBlock];

@@ -318,7 +318,7 @@ namespace FastPoints.Tests.Export
             using (var edited = ConvertedReader.OpenEdited(Cloud))
                 JobCoroutine.RunToEnd(ExportCloud.Run(edited, Folder.File(name), new ExportSettings(), _ => { }, null));
             using var reader = ReadPoints.Open(Folder.File(name));
-            ReadPoints.FindBlocks(reader);
+            ReadPoints.IndexBlocks(reader);
             Assert.That(Sorted(Read(reader)), Is.EqualTo(Sorted(points)));
         }
 

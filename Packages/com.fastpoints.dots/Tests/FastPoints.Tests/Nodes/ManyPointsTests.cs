@@ -81,7 +81,7 @@ namespace FastPoints.Tests.Nodes
             var max = new Grid3(1L << 59, 5, -1);
             journal.Statistics.Add(new PointStatistics { Count = Points, Checksum = 1UL << 63, Max = max });
             journal.Attributes = new[] { AttributeStatistics.None };
-            journal.Records.Add(Points);
+            journal.RecordCountOfFile.Add(Points);
             journal.Chunks.Add(new BuildJournal.Chunk
             {
                 Cube = new GridCube(new Grid3(-1L << 59, 0, 0), 40),

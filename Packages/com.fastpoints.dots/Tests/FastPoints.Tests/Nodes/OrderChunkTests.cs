@@ -117,7 +117,7 @@ namespace FastPoints.Tests.Nodes
                 CommonCubeLog2 = commonCube,
                 Priority = priorities,
                 Checksum = sum,
-                Slices = slices,
+                SliceTimes = slices,
             };
             do
                 job.Schedule().Complete();

@@ -102,7 +102,7 @@ namespace FastPoints.Tests.Nodes
                 pages.AddPage(page);
             }
             using var slices = new SliceTimes(Allocator.Persistent);
-            PackRecordsJob.Schedule(new PackRecordsJob { Pages = pages, StrideBytes = StrideBytes, Slices = slices }, default)
+            PackRecordsJob.Schedule(new PackRecordsJob { Pages = pages, StrideBytes = StrideBytes, SliceTimes = slices }, default)
                 .Complete();
             int found = 0;
             for (var page = pages.First; page != null; page = page->Next)

@@ -57,7 +57,7 @@ namespace FastPoints.Tests.Nodes
                 NodeOfPoint = nodeOfPoint,
                 Nodes = nodes,
                 Averaged = averaged,
-                Slices = slices,
+                SliceTimes = slices,
                 Scratch = scratch,
                 CostPerSlice = costPerSlice,
             };

@@ -189,7 +189,7 @@ namespace FastPoints.Tests.Picture
             var ranges = Measure(batch);
             Assert.That(ranges.Full.IsEmpty, Is.True);
             Assert.That(ranges.Robust.IsEmpty, Is.True);
-            Assert.That(ranges.NonFinite, Is.EqualTo(2));
+            Assert.That(ranges.NonFiniteCount, Is.EqualTo(2));
             Assert.That(ranges.Assumptions, Has.Some.Contains("no point has a position"));
         }
 

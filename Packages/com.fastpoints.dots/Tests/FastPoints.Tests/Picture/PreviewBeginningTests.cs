@@ -26,10 +26,10 @@ namespace FastPoints.Tests.Picture
             return LazReader.Open(LasFile.Read(source), source, LongChunkPoints);
         }
 
-        static PreviewCloud Take(PointReader reader, PreviewOptions options)
+        static PreviewPicture Take(PointReader reader, PreviewOptions options)
         {
             options.Points = 2000;
-            var preview = new PreviewCloud(reader, options);
+            var preview = new PreviewPicture(reader, options);
             JobCoroutine.RunToEnd(preview.TakeSample(new StageProgress()));
             return preview;
         }
@@ -55,7 +55,7 @@ namespace FastPoints.Tests.Picture
                 all.Take(expected * writer.RecordBytes).ToArray(), writer.RecordBytes), Is.Null);
             int warnings = reader.Info.Warnings.Count;
 
-            JobCoroutine.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.IndexBlocks());
             Assert.That(prefixes.HasPrefixes, Is.False);
             Assert.That(LazFileReading.Difference(LazFileReading.Records(reader, layout), all, writer.RecordBytes), Is.Null);
             Assert.That(reader.Info.Warnings.Count, Is.EqualTo(warnings));

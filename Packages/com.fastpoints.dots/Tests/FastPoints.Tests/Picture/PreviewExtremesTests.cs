@@ -18,9 +18,9 @@ namespace FastPoints.Tests.Picture
 
         string FilePath => Folder.File("cloud.laz");
 
-        static PreviewCloud Take(PointReader reader, PreviewOptions options)
+        static PreviewPicture Take(PointReader reader, PreviewOptions options)
         {
-            var preview = new PreviewCloud(reader, options);
+            var preview = new PreviewPicture(reader, options);
             JobCoroutine.RunToEnd(preview.Run(new StageProgress()));
             return preview;
         }
@@ -118,7 +118,7 @@ namespace FastPoints.Tests.Picture
         {
             WriteLas(100_000, 1, i => true);
             using var reader = PointReaders.Open(FilePath);
-            using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 1000 });
+            using var preview = new PreviewPicture(reader, new PreviewOptions { Points = 1000 });
             using (var file = new FileStream(FilePath, FileMode.Append, FileAccess.Write, FileShare.ReadWrite))
                 file.Write(new byte[5000], 0, 5000);
             JobCoroutine.RunToEnd(preview.Run(new StageProgress()));
@@ -133,7 +133,7 @@ namespace FastPoints.Tests.Picture
         {
             WriteLas(100_000, 1, i => true);
             using var reader = PointReaders.Open(FilePath);
-            using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 1000 });
+            using var preview = new PreviewPicture(reader, new PreviewOptions { Points = 1000 });
             WriteLas(200_000, 1, i => false);
             JobCoroutine.RunToEnd(preview.Run(new StageProgress()));
             Assert.That(Warnings(reader), Has.Exactly(1).Contains("changed while it was read"));
@@ -144,7 +144,7 @@ namespace FastPoints.Tests.Picture
         {
             WriteLas(100_000, 1, i => true);
             using var reader = PointReaders.Open(FilePath);
-            using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 1000 });
+            using var preview = new PreviewPicture(reader, new PreviewOptions { Points = 1000 });
             using (var file = new FileStream(FilePath, FileMode.Open, FileAccess.Write, FileShare.ReadWrite))
                 file.SetLength(50_000);
             Failures.Of(() => JobCoroutine.RunToEnd(preview.Run(new StageProgress())), FailureCode.Truncated, FilePath);
@@ -157,7 +157,7 @@ namespace FastPoints.Tests.Picture
             {
                 var bytes = new List<long>();
                 using var reader = PointReaders.Open(FilePath);
-                using var preview = new PreviewCloud(reader, new PreviewOptions());
+                using var preview = new PreviewPicture(reader, new PreviewOptions());
                 preview.WaveReady += (_, wave) => bytes.Add(wave.BytesRead);
                 JobCoroutine.RunToEnd(preview.TakeSample(new StageProgress()));
                 return bytes.ToArray();

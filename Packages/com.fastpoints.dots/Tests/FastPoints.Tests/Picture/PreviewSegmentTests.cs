@@ -45,7 +45,7 @@ namespace FastPoints.Tests.Picture
             using var reader = PointReaders.Open(m_path);
             var prefixes = (IPrefixSource)reader;
             Assert.That(prefixes.HasPrefixes, Is.True);
-            using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 100_000, Quick = true });
+            using var preview = new PreviewPicture(reader, new PreviewOptions { Points = 100_000, Quick = true });
             JobCoroutine.RunToEnd(preview.TakeSample(new StageProgress()));
             Assert.That(reader.BlocksAreKnown, Is.False, "that takes a look through all of the file");
             var sample = preview.Sample;
@@ -69,10 +69,10 @@ namespace FastPoints.Tests.Picture
         {
             Write(".xyz", "");
             using var exactReader = PointReaders.Open(m_path);
-            using var exact = new PreviewCloud(exactReader, new PreviewOptions { Points = 20_000, Exact = true });
+            using var exact = new PreviewPicture(exactReader, new PreviewOptions { Points = 20_000, Exact = true });
             JobCoroutine.RunToEnd(exact.TakeSample(new StageProgress()));
             using var reader = PointReaders.Open(m_path);
-            using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 20_000 });
+            using var preview = new PreviewPicture(reader, new PreviewOptions { Points = 20_000 });
             int widest = 0;
             preview.WaveReady += (sample, wave) =>
                 widest = Math.Max(widest, Xs(sample).GroupBy(x => (int)x / (Lines / 8)).Count());

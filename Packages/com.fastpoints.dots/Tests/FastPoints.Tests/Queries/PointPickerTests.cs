@@ -18,7 +18,7 @@ namespace FastPoints.Tests.Queries
         PointPicker m_picker;
         CloudPlacement m_geo;
 
-        static PickOptions EveryPoint => new PickOptions { FinestSpacing = 0 };
+        static PickOptions EveryPoint => new PickOptions { FinestSpacingShare = 0 };
 
         [OneTimeSetUp]
         public void Convert()

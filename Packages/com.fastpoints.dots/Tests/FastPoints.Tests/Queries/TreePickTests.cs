@@ -23,7 +23,7 @@ namespace FastPoints.Tests.Queries
     {
         const int MaxFrames = 10_000_000;
 
-        static PickOptions EveryPoint => new PickOptions { FinestSpacing = 0 };
+        static PickOptions EveryPoint => new PickOptions { FinestSpacingShare = 0 };
 
         [Test]
         public void Find_AnyRay_MatchesTheConvertedCloud(
@@ -102,7 +102,7 @@ namespace FastPoints.Tests.Queries
             var positions = new List<double3>();
             using (var reader = PointReaders.Open(path))
             {
-                JobCoroutine.RunToEnd(reader.FindBlocks());
+                JobCoroutine.RunToEnd(reader.IndexBlocks());
                 ReadPoints.EachBlock(reader, reader.Info.Schema.Select("X", "Y", "Z"), read =>
                 {
                     var columns = PositionColumns.Of(read.Points);
@@ -258,7 +258,7 @@ namespace FastPoints.Tests.Queries
                 for (int axis = 0; axis < 3; axis++)
                     TestBatches.Set(batch, axis, i, axis == 2 ? i % 7 : axis == 1 ? i / 200 : i % 200);
             using var reader = new MemoryPointReader(batch, 10_000, fixedStride: false);
-            using var preview = new PreviewCloud(reader, new PreviewOptions { Points = taken });
+            using var preview = new PreviewPicture(reader, new PreviewOptions { Points = taken });
             using var stream = StreamedTestCloud.Stream();
             using var picker = new StreamPicker();
             JobCoroutine.RunToEnd(preview.TakeSample(new StageProgress()));

@@ -30,7 +30,7 @@ namespace FastPoints.Tests.Reading
         static FileContents Read(PointReader opened, string[] names)
         {
             using var reader = opened;
-            JobCoroutine.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.IndexBlocks());
             var wanted = names.Length == 0 ? reader.Info.Schema : reader.Info.Schema.Select(names);
             var contents = new FileContents { Info = reader.Info, Blocks = reader.BlockCount };
             contents.PointsInBlocks = reader.PointCount;

@@ -123,7 +123,7 @@ namespace FastPoints.Tests.Reading
             try
             {
                 using var reader = PointReaders.Open(path);
-                ReadPoints.FindBlocks(reader);
+                ReadPoints.IndexBlocks(reader);
                 Assert.That(reader.Info.Warnings.Count, Is.LessThan(300), detail);
                 if (reader.BlockCount == 0)
                     return true;

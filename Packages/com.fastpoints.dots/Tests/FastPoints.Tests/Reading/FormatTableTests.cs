@@ -63,7 +63,7 @@ namespace FastPoints.Tests.Reading
         {
             using var reader = PointReaders.Open(fixture.Write(Folder.Path));
             Assert.That(reader.Info.Format, Is.EqualTo(fixture.Format));
-            ReadPoints.FindBlocks(reader);
+            ReadPoints.IndexBlocks(reader);
             Assert.That(reader.PointCount, Is.GreaterThan(0));
         }
     }

@@ -15,7 +15,7 @@ namespace FastPoints.Tests.Reading
             var reader = PointReaders.Open(path);
             try
             {
-                FindBlocks(reader);
+                IndexBlocks(reader);
                 return reader;
             }
             catch
@@ -25,10 +25,10 @@ namespace FastPoints.Tests.Reading
             }
         }
 
-        public static void FindBlocks(PointReader reader)
+        public static void IndexBlocks(PointReader reader)
         {
             if (!reader.BlocksAreKnown)
-                JobCoroutine.RunToEnd(reader.FindBlocks());
+                JobCoroutine.RunToEnd(reader.IndexBlocks());
         }
 
         public static List<BlockRange> WholeBlocks(PointReader reader) =>

@@ -147,7 +147,7 @@ namespace FastPoints.Tests.Reading
         static BoundsGeo ScanBounds(PointReader reader, out long points)
         {
             var bounds = BoundsGeo.Empty;
-            ReadPoints.FindBlocks(reader);
+            ReadPoints.IndexBlocks(reader);
             points = ReadPoints.EachBlock(reader, reader.Info.Schema, read =>
             {
                 for (int i = 0; i < read.Points.Count; i++)

@@ -75,8 +75,8 @@ namespace FastPoints.Tests.Sampling
                 {
                     long point = range.First + (long)i * range.Step;
                     Assert.That(taken[point], Is.False);
-                    Assert.That(filled[range.FirstEntry + i], Is.False);
-                    taken[point] = filled[range.FirstEntry + i] = true;
+                    Assert.That(filled[range.FirstInSample + i], Is.False);
+                    taken[point] = filled[range.FirstInSample + i] = true;
                     count++;
                 }
             }

@@ -94,7 +94,7 @@ namespace FastPoints.Tests.Sampling
             }
             using var reader = new MemoryPointReader(TestBatches.OfPositions(positions), 600);
             using var sample = Uniform(reader, 10_000, 3);
-            Assert.That(sample.NonFinite, Is.EqualTo(bad));
+            Assert.That(sample.NonFiniteCount, Is.EqualTo(bad));
             Assert.That(sample.Count, Is.EqualTo(5000 - bad));
             Assert.That(sample.HasAllPoints, Is.True);
             var x = sample.Points.Column<double>(AttributeNames.X);

@@ -210,7 +210,7 @@ namespace FastPoints.Tests.Sampling
             using var reader = PointReaders.Open(FilePath);
             var waves = new List<SampleWave>();
             using var sample = Take(reader, 5000, 2, 1, waves);
-            Assert.That(sample.NonFinite, Is.EqualTo(bad));
+            Assert.That(sample.NonFiniteCount, Is.EqualTo(bad));
             Assert.That(sample.Count, Is.EqualTo(5000 - bad));
             Assert.That(sample.HasAllPoints, Is.True);
             Assert.That(sample.Bounds.Min, Is.EqualTo(new double3(0, 1, 2)));

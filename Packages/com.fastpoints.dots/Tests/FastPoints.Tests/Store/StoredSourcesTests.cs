@@ -10,9 +10,9 @@ namespace FastPoints.Tests.Store
         public void Read_SourcesOfACountry_HasThemAll()
         {
             const int count = 200_000;
-            var sources = new List<CloudSource>();
+            var sources = new List<SourceEntry>();
             for (int i = 0; i < count; i++)
-                sources.Add(new CloudSource
+                sources.Add(new SourceEntry
                 {
                     Name = "tile_of_a_country_32_" + i + ".laz",
                     FileBytes = 40_000_000 + i,

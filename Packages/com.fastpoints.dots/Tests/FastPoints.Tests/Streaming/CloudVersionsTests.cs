@@ -45,33 +45,33 @@ namespace FastPoints.Tests.Streaming
         public void Update_PreviewBesideABuild_StaysUntilTheBuildIsFinished()
         {
             Add(CloudStage.Preview);
-            int preview = m_versions.Cloud;
+            int preview = m_versions.ShownNumber;
             Add(CloudStage.Building);
             Assert.That(m_versions.Preview, Is.EqualTo(preview));
-            Assert.That(Shown(), Is.EquivalentTo(new[] { preview, m_versions.Cloud }));
+            Assert.That(Shown(), Is.EquivalentTo(new[] { preview, m_versions.ShownNumber }));
 
             Add(CloudStage.Building);
             Assert.That(m_versions.Preview, Is.EqualTo(preview));
-            Assert.That(Shown(), Is.EquivalentTo(new[] { preview, m_versions.Cloud }));
+            Assert.That(Shown(), Is.EquivalentTo(new[] { preview, m_versions.ShownNumber }));
 
-            int build = m_versions.Cloud;
+            int build = m_versions.ShownNumber;
             Add(CloudStage.Preview);
-            Assert.That(m_versions.Cloud, Is.EqualTo(build), "a better preview takes the preview's place alone");
+            Assert.That(m_versions.ShownNumber, Is.EqualTo(build), "a better preview takes the preview's place alone");
             Assert.That(Shown(), Is.EquivalentTo(new[] { m_versions.Preview, build }));
 
             Add(CloudStage.Whole);
             Assert.That(m_versions.Preview, Is.EqualTo(CloudVersions.None));
-            Assert.That(Shown(), Is.EqualTo(new[] { m_versions.Cloud }));
+            Assert.That(Shown(), Is.EqualTo(new[] { m_versions.ShownNumber }));
         }
 
         [Test]
         public void DropBuild_BuildWithPreview_ShowsThePreview()
         {
             Add(CloudStage.Preview);
-            int preview = m_versions.Cloud;
+            int preview = m_versions.ShownNumber;
             Add(CloudStage.Building);
             Assert.That(m_versions.DropBuild(), Is.True);
-            Assert.That(m_versions.Cloud, Is.EqualTo(preview));
+            Assert.That(m_versions.ShownNumber, Is.EqualTo(preview));
             Assert.That(Shown(), Is.EqualTo(new[] { preview }));
             Assert.That(m_versions.DropBuild(), Is.False);
         }
@@ -80,12 +80,12 @@ namespace FastPoints.Tests.Streaming
         public void DropBuild_BuildWithoutPreview_IsShownUntilAPreviewExists()
         {
             Add(CloudStage.Building);
-            int build = m_versions.Cloud;
+            int build = m_versions.ShownNumber;
             m_versions.DropBuild();
             Assert.That(Shown(), Is.EqualTo(new[] { build }));
             Add(CloudStage.Preview);
-            Assert.That(m_versions.Cloud, Is.Not.EqualTo(build));
-            Assert.That(Shown(), Is.EqualTo(new[] { m_versions.Cloud }));
+            Assert.That(m_versions.ShownNumber, Is.Not.EqualTo(build));
+            Assert.That(Shown(), Is.EqualTo(new[] { m_versions.ShownNumber }));
         }
 
         [Test]
@@ -97,7 +97,7 @@ namespace FastPoints.Tests.Streaming
             m_versions.Add(m_cloud.Open(), null, CloudStage.Preview);
             m_versions.Add(other.Open(), null, CloudStage.Whole);
             m_versions.Place(new CloudPlacement(linear, random.NextDouble3() * 1000));
-            var shown = m_stream.Clouds[m_versions.Cloud];
+            var shown = m_stream.Clouds[m_versions.ShownNumber];
             var next = m_stream.Clouds[m_versions.Next];
             var geo = StreamedTestCloud.OriginGeo + new double3(10, 20, 3);
             double3 At(StreamedCloud cloud) => cloud.Placement.OriginWorld + math.mul(cloud.Placement.Linear,

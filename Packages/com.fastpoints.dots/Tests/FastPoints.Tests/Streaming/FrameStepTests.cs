@@ -70,7 +70,7 @@ namespace FastPoints.Tests.Streaming
         {
             m_stream.Dispose();
             m_stream = StreamedTestCloud.Stream();
-            m_stream.Settings.GapBytes = gapBytes;
+            m_stream.Settings.MaxGapBytes = gapBytes;
             m_source = m_cloud.Open(plane);
             m_stream.Add(m_source, StreamedTestCloud.Geo(m_source));
             var stats = StreamedTestCloud.Settle(m_stream, StreamedTestCloud.Near(20, 30, 0.6));
@@ -103,7 +103,7 @@ namespace FastPoints.Tests.Streaming
                 using var stream = StreamedTestCloud.Stream();
                 var source = m_cloud.Open(AttributeNames.Intensity);
                 stream.Add(source, StreamedTestCloud.Geo(source));
-                stream.Settings.GapBytes = gapBytes;
+                stream.Settings.MaxGapBytes = gapBytes;
                 long read = requested = 0;
                 for (int frame = 0; frame < 1_000_000; frame++)
                 {
@@ -137,8 +137,8 @@ namespace FastPoints.Tests.Streaming
         [Test]
         public void Run_WhileLoading_DrawsOnlyNodesWithAllAncestors()
         {
-            m_stream.Settings.UploadNodesPerFrame = 20;
-            m_stream.Settings.BytesPerRead = 50_000;
+            m_stream.Settings.MaxUploadNodesPerFrame = 20;
+            m_stream.Settings.MaxBytesPerRead = 50_000;
             var camera = StreamedTestCloud.Near(20, 30, 0.6);
             long max = 0;
             for (int frame = 0; frame < 100_000; frame++)
@@ -245,7 +245,7 @@ namespace FastPoints.Tests.Streaming
         public void Run_CameraTeleports_CancelsUnneededReads()
         {
             m_stream.Settings.MaxReads = 1;
-            m_stream.Settings.BytesPerRead = 1;
+            m_stream.Settings.MaxBytesPerRead = 1;
             m_stream.Settings.FramesToCancel = 0;
             var random = new Unity.Mathematics.Random(3);
             for (int i = 0; i < 300; i++)

@@ -104,8 +104,8 @@ namespace FastPoints.Tests.Streaming
                         break;
                     case 10:
                         stream.Settings.MaxReads = 1 + random.NextInt(30);
-                        stream.Settings.BytesPerRead = 1 + random.NextInt(1 << 18);
-                        stream.Settings.UploadBytesPerFrame = 1 + random.NextInt(1 << 18);
+                        stream.Settings.MaxBytesPerRead = 1 + random.NextInt(1 << 18);
+                        stream.Settings.MaxUploadBytesPerFrame = 1 + random.NextInt(1 << 18);
                         break;
                 }
                 camera.EyeGeo += step;

@@ -213,7 +213,7 @@ namespace FastPoints.Tests.Streaming
             Add(stream);
             StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
             long all = stream.Clouds[0].HierarchyBytes;
-            stream.Settings.HierarchyBytes = 0;
+            stream.Settings.MaxHierarchyBytes = 0;
             stream.Pool.LimitBytes = 0;
             var away = StreamedTestCloud.Near(-500, -500, 4);
             for (int i = 0; i < 1000; i++)

@@ -59,7 +59,7 @@ namespace FastPoints.Tests.Streaming
             var hashes = new List<ulong>();
             using (var reader = PointReaders.Open(path))
             {
-                JobCoroutine.RunToEnd(reader.FindBlocks());
+                JobCoroutine.RunToEnd(reader.IndexBlocks());
                 ReadPoints.EachBlock(reader, reader.Info.Schema,
                     read => AddAll(hashes, read.Points, reader.Info.Transform, grid, names));
             }

@@ -28,7 +28,7 @@ namespace FastPoints.Tests
             Add(m_generations.Take());
         }
 
-        public int Cloud => m_versions.Cloud;
+        public int Cloud => m_versions.ShownNumber;
         public long Generation => m_generations.Generation;
         public bool IsBuilding => m_generations.IsBuilding;
         public bool IsCurrent => m_versions.IsCurrent && m_generations.Newest == null;

@@ -30,7 +30,7 @@ namespace FastPoints.Tests
         /// <param name="step">CRS units to which positions are rounded.</param>
         public static ulong[] Hashes(PointReader reader, string[] names, double3 step)
         {
-            ReadPoints.FindBlocks(reader);
+            ReadPoints.IndexBlocks(reader);
             var hashes = new List<ulong>();
             var all = new List<string>(names) { AttributeNames.X, AttributeNames.Y, AttributeNames.Z };
             var wanted = reader.Info.Schema.Select(all.ToArray());

@@ -28,7 +28,7 @@ namespace FastPoints.Tests.Text
         PointReader Open(params string[] columns)
         {
             var reader = PointReaders.Open(FilePath, new ReadOptions { TextColumns = columns.Length > 0 ? columns : null });
-            ReadPoints.FindBlocks(reader);
+            ReadPoints.IndexBlocks(reader);
             return reader;
         }
 

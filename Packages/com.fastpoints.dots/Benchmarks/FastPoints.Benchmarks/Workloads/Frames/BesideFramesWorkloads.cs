@@ -141,7 +141,7 @@ namespace FastPoints.Benchmarks
         static IEnumerator<JobStep> Preview(BesideFramesWorkload workload, StageProgress progress, double inFlightMs)
         {
             using (var reader = PointReaders.Open(workload.m_path))
-            using (var preview = new PreviewCloud(reader, new PreviewOptions { Points = SourceFeed.PreviewPoints }))
+            using (var preview = new PreviewPicture(reader, new PreviewOptions { Points = SourceFeed.PreviewPoints }))
                 yield return JobStep.Of(preview.Run(progress));
         }
     }

@@ -47,7 +47,7 @@ namespace FastPoints.Benchmarks
                 return default;
             var counter = new Counter();
             using var reader = PointReaders.Open(m_path);
-            JobCoroutine.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.IndexBlocks());
             using var frames = new FrameLoop(0, Math.Max(m_isByWorkers ? 1 : 0, JobsUtility.JobWorkerCount));
             frames.Run(SourceScan.Run(reader, m_wanted(reader.Info.Schema), counter, SourceScan.DefaultSlots, null),
                 m_isByWorkers ? 0 : -1);

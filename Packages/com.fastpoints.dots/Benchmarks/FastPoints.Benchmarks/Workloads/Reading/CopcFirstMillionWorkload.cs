@@ -28,7 +28,7 @@ namespace FastPoints.Benchmarks
             using var reader = PointReaders.Open(m_path);
             int levels = 0;
             do
-                JobCoroutine.RunToEnd(reader.FindLevels(++levels));
+                JobCoroutine.RunToEnd(reader.ReadLevels(++levels));
             while (reader.PointCount < WantedPoints && reader.Tree.LevelCount >= levels);
             return ReadFirst(reader);
         }

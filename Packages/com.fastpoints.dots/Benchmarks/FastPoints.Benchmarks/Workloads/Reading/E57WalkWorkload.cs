@@ -20,7 +20,7 @@ namespace FastPoints.Benchmarks
         public WorkloadResult Run()
         {
             using var reader = E57Reader.Open(m_path);
-            JobCoroutine.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.IndexBlocks());
             return new WorkloadResult { Points = reader.PointCount, Bytes = reader.Info.FileBytes };
         }
 

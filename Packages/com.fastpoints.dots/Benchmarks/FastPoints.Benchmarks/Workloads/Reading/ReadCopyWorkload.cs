@@ -35,7 +35,7 @@ namespace FastPoints.Benchmarks
             long points, bytes;
             using (var reader = PointReaders.Open(m_path))
             {
-                JobCoroutine.RunToEnd(reader.FindBlocks());
+                JobCoroutine.RunToEnd(reader.IndexBlocks());
                 points = reader.PointCount;
                 bytes = points * reader.Info.Schema.BytesPerPoint;
             }

@@ -73,7 +73,7 @@ namespace FastPoints.Benchmarks
         public void ResetTimes()
         {
             using var earlier = new SliceTimes(Allocator.Persistent);
-            earlier.Take(FrameTimes);
+            earlier.Add(FrameTimes);
         }
 
         public WorkloadResult Result(long points, long bytes, string note) => new WorkloadResult

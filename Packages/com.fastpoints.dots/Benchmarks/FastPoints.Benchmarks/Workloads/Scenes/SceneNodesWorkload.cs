@@ -32,7 +32,7 @@ namespace FastPoints.Benchmarks
         {
             m_scene = new SceneBenchmark(math.max(20L * context.Points, SceneBenchmark.MaxBankBytes));
             m_scene.Settings.Selection = new LodSettings { PointBudget = long.MaxValue, Hysteresis = 1 };
-            m_scene.Settings.UploadBytesPerFrame = 16 << 20;
+            m_scene.Settings.MaxUploadBytesPerFrame = 16 << 20;
             if (m_hasEntities)
                 m_scene.WantNodes();
             m_scene.Show(TerrainBenchmarkFile.MakeConverted(context));

@@ -43,7 +43,7 @@ namespace FastPoints.Benchmarks
             string path = TerrainBenchmarkFile.MakeConverted(context);
             m_stream = new StreamContext(new MemoryNodePool(1L << 30, 8 << 20));
             m_stream.Settings.Selection = new LodSettings { PointBudget = ResidentPoints, Hysteresis = 1 };
-            m_stream.Settings.UploadBytesPerFrame = 64 << 20;
+            m_stream.Settings.MaxUploadBytesPerFrame = 64 << 20;
             var folder = CloudFolder.Open(path);
             var bounds = folder.Manifest.BoundsGeo;
             var source = new FolderSource(folder, StoreLayout.ColorName);

@@ -50,7 +50,7 @@ namespace FastPoints.Benchmarks
         {
             using var stream = new StreamContext(new MemoryNodePool(PoolBytes, BankBytes));
             stream.Settings.Selection = new LodSettings { PointBudget = budget, Hysteresis = 1 };
-            stream.Settings.UploadBytesPerFrame = 64 << 20;
+            stream.Settings.MaxUploadBytesPerFrame = 64 << 20;
             var source = new FolderSource(CloudFolder.Open(m_path), StoreLayout.ColorName);
             stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
             while (!FrameStep.Run(stream, m_views).IsSettled)

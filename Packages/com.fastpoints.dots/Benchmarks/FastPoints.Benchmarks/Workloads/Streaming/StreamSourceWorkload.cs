@@ -58,9 +58,9 @@ namespace FastPoints.Benchmarks
                 return default;
             using var stream = new StreamContext(new MemoryNodePool(PoolBytes, 16 << 20));
             stream.Settings.Selection = new LodSettings { PointBudget = long.MaxValue, Hysteresis = 1 };
-            stream.Settings.UploadBytesPerFrame = PoolBytes;
+            stream.Settings.MaxUploadBytesPerFrame = PoolBytes;
             var reader = PointReaders.Open(m_path);
-            JobCoroutine.RunToEnd(TreeSource.FindTop(reader));
+            JobCoroutine.RunToEnd(TreeSource.ReadTop(reader));
             var source = new TreeSource(reader, StoreLayout.ColorName, AttributeNames.Intensity);
             stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
             long bytes = 0;

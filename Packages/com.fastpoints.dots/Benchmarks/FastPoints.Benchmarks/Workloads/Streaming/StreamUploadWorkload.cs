@@ -29,7 +29,7 @@ namespace FastPoints.Benchmarks
             // A node's last page is half empty, and a bank's end is not always used.
             m_stream = new StreamContext(new MemoryNodePool((bytes * 5 / 4 + 2 * Bank) / Bank * Bank, Bank));
             m_stream.Settings.Selection = new LodSettings { PointBudget = long.MaxValue, Hysteresis = 1 };
-            m_stream.Settings.UploadBytesPerFrame = 64 << 20;
+            m_stream.Settings.MaxUploadBytesPerFrame = 64 << 20;
             m_views = new NativeArray<StreamView>(1, Allocator.Persistent) { [0] = StreamView.Everything(1) };
             for (int i = 0; i < 2; i++)
                 m_stream.Add(new FolderSource(CloudFolder.Open(path), StoreLayout.ColorName), default);

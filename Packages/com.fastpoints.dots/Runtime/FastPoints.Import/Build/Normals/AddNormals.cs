@@ -19,10 +19,6 @@ namespace FastPoints.Build
     internal sealed class AddNormals : IDisposable
     {
         public const string Stage = "normals";
-        public const string Up = "up"; // Points in a system of the earth's surface were measured from above, or are shown as if.
-        public const string Viewer = "viewer"; // Whoever shows them turns them to the viewer.
-        public const string Scanner = "scanner"; // To the scanner of each point.
-        public const string Source = "source"; // They are those of the files.
 
         static readonly string[] s_attributes = { AttributeNames.NormalX, AttributeNames.NormalY, AttributeNames.NormalZ };
 
@@ -61,13 +57,14 @@ namespace FastPoints.Build
             using (folder)
             using (var add = new AddNormals(folder))
             {
-                add.DeleteOthers(folder.Manifest);
+                add.DeleteOldVersions(folder.Manifest);
                 var manifest = folder.Manifest.Clone();
                 manifest.Generation++;
                 manifest.NormalLayer = checked((ushort)(manifest.NormalLayer + 1));
-                bool isPacked = HasDirections(manifest);
-                manifest.NormalOrientation = isPacked ? Source : AreScannersKnown(manifest) ? Scanner
-                    : IsOnTheEarth(manifest.Crs) ? Up : Viewer;
+                bool isPacked = HasSourceNormals(manifest);
+                manifest.NormalOrientation = isPacked ? NormalOrientations.OfSource
+                    : AreScannersKnown(manifest) ? NormalOrientations.Scanner
+                    : IsOnTheEarth(manifest.Crs) ? NormalOrientations.Up : NormalOrientations.Viewer;
                 using var cubes = new NormalCubes(folder, settings);
                 using var normals = new NormalContainers(folder, cubes, manifest.NormalLayer, add.Write);
                 progress?.Begin(Stage);
@@ -119,7 +116,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>Whether its files have normals, not only room for them.</summary>
-        static bool HasDirections(CloudManifest manifest)
+        static bool HasSourceNormals(CloudManifest manifest)
         {
             bool isAny = false;
             foreach (string name in s_attributes)
@@ -141,8 +138,8 @@ namespace FastPoints.Build
                 using var batch = new PointBatch(schema, cubes.PointCountOrThrow, Allocator.Persistent);
                 using var found = new NativeArray<ushort>(batch.Capacity, Allocator.Persistent);
                 yield return JobStep.Of(LoadNodes.Run(m_folder, cubes, batch, null));
-                var job = NormalsOfFilesJob.Of(batch, s_attributes, found);
-                yield return JobStep.Of(Slices.Run(0, batch.Count, NormalsOfFilesJob.PointsPerSlice, job.Schedule));
+                var job = PackSourceNormalsJob.Of(batch, s_attributes, found);
+                yield return JobStep.Of(Slices.Run(0, batch.Count, PackSourceNormalsJob.PointsPerSlice, job.Schedule));
                 yield return JobStep.Of(normals.Take(found));
                 progress?.Report(normals.Points / (double)m_folder.Manifest.Points, normals.Points, normals.Bytes);
             }
@@ -198,7 +195,7 @@ namespace FastPoints.Build
                 using var text = new NativeArray<byte>(new UTF8Encoding(false).GetBytes(manifest.ToJson()), Allocator.Persistent);
                 yield return JobStep.Of(CloudFolderWriter.Await(
                     m_queue.Write(Path.Combine(m_path, StoreFormat.ManifestName), text)));
-                DeleteOthers(manifest);
+                DeleteOldVersions(manifest);
                 yield return JobStep.Of(CloudFolderWriter.Await(m_queue.Run(m_path, () => { })));
             }
             finally
@@ -207,7 +204,7 @@ namespace FastPoints.Build
             }
         }
 
-        void DeleteOthers(CloudManifest manifest) => m_queue.Run(m_path, () =>
+        void DeleteOldVersions(CloudManifest manifest) => m_queue.Run(m_path, () =>
         {
             foreach (string file in Directory.GetFiles(m_path, "hierarchy*.bin*"))
                 if (Path.GetFileName(file) != manifest.HierarchyName)
@@ -219,9 +216,18 @@ namespace FastPoints.Build
         });
     }
 
+    // Where computed normals point: values of the manifest.
+    internal static class NormalOrientations
+    {
+        public const string Up = "up"; // Points in a system of the earth's surface were measured from above, or are shown as if.
+        public const string Viewer = "viewer"; // Whoever shows them turns them to the viewer.
+        public const string Scanner = "scanner"; // To the scanner of each point.
+        public const string OfSource = "source"; // They are those of the files.
+    }
+
     /// <summary>A slice of packing normals that points have as attributes; those that are no direction become none.</summary>
     [BurstCompile]
-    internal unsafe struct NormalsOfFilesJob : IJob
+    internal unsafe struct PackSourceNormalsJob : IJob
     {
         public const int PointsPerSlice = 50_000; // A slice takes about 2 ms.
 
@@ -235,11 +241,11 @@ namespace FastPoints.Build
         public double3 Offset;
         public NativeArray<ushort> Normals; // Out, by point.
 
-        public static NormalsOfFilesJob Of(PointBatch batch, string[] names, NativeArray<ushort> normals)
+        public static PackSourceNormalsJob Of(PointBatch batch, string[] names, NativeArray<ushort> normals)
         {
             int x = batch.Schema.IndexOf(names[0]), y = batch.Schema.IndexOf(names[1]), z = batch.Schema.IndexOf(names[2]);
             PointAttribute ofX = batch.Schema[x], ofY = batch.Schema[y], ofZ = batch.Schema[z];
-            return new NormalsOfFilesJob
+            return new PackSourceNormalsJob
             {
                 Batch = batch.Bytes,
                 X = batch.Column(x),
@@ -286,7 +292,7 @@ namespace FastPoints.Build
         public PointColumn Scan; // The number of a point's scan, from 1; not read if there is one.
         [ReadOnly] public NativeArray<double3> Scanners; // By scan: in the batch's coordinates.
 
-        public double3 Metres;
+        public double3 MetresPerStep;
         public NativeArray<ushort> Normals; // In, out.
 
         public static OrientNormalsJob Of(PointBatch batch, NativeArray<double3> scanners, double3 metres,
@@ -298,7 +304,7 @@ namespace FastPoints.Build
                 Z = batch.Column(batch.Schema.IndexOf(AttributeNames.Z)),
                 Scan = scanners.Length > 1 ? batch.Column(batch.Schema.IndexOf(AttributeNames.PointSourceId)) : default,
                 Scanners = scanners,
-                Metres = metres,
+                MetresPerStep = metres,
                 Normals = normals,
             };
 
@@ -320,7 +326,7 @@ namespace FastPoints.Build
                 if (!(scan >= 1 && scan <= Scanners.Length))
                     continue;
                 var p = new double3(*(double*)X.At(bytes, i), *(double*)Y.At(bytes, i), *(double*)Z.At(bytes, i));
-                if (math.dot((Scanners[(int)scan - 1] - p) * Metres, OctahedralNormal.Decode(normal)) < 0)
+                if (math.dot((Scanners[(int)scan - 1] - p) * MetresPerStep, OctahedralNormal.Decode(normal)) < 0)
                     Normals[i] = OctahedralNormal.Opposite(normal);
             }
         }

@@ -31,11 +31,12 @@ namespace FastPoints.Build
                         Y = y,
                         Z = z,
                         Points = points,
-                        Slices = slices,
+                        SliceTimes = slices,
                     }.Schedule(after)));
                 int count = points.Count.Value;
                 yield return JobStep.Of(Slices.Run(0, count, ScatterRegionJob.PointsPerSlice, (first, end, after) =>
-                    done = new ScatterRegionJob { First = first, End = end, Points = points, Slices = slices }.Schedule(after)));
+                    done = new ScatterRegionJob { First = first, End = end, Points = points, SliceTimes = slices }
+                        .Schedule(after)));
                 yield return JobStep.Of(Slices.Run(0, count, SortRegionJob.PointsPerSlice, (first, end, after) =>
                     new SortRegionJob { First = first, End = end, Region = region, X = x, Y = y, Z = z, Points = points }
                         .Schedule(after), chains));

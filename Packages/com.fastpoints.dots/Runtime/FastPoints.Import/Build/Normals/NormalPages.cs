@@ -59,7 +59,7 @@ namespace FastPoints.Build
             NativeList<byte> to)
         {
             var was = old.Header;
-            int built = was.PlaneCount - folder.Layout.ComputedPlanes;
+            int built = was.PlaneCount - folder.Layout.ComputedPlaneCount;
             bool hasNodes = was.NodeCount > 0;
             var header = was;
             header.PlaneCount = built + 1;

@@ -103,7 +103,7 @@ namespace FastPoints.Build
         [ReadOnly] public NativeArray<double> Z;
         public RegionPoints Points;
 
-        public SliceTimes Slices;
+        public SliceTimes SliceTimes;
 
         public void Execute()
         {
@@ -128,7 +128,7 @@ namespace FastPoints.Build
                 counts[RegionPoints.BucketOf(code)]++;
             }
             Points.Count.Value = count;
-            Slices.End(begin);
+            SliceTimes.End(begin);
         }
     }
 
@@ -142,7 +142,7 @@ namespace FastPoints.Build
         public int End;
         public RegionPoints Points;
 
-        public SliceTimes Slices;
+        public SliceTimes SliceTimes;
 
         public void Execute()
         {
@@ -166,7 +166,7 @@ namespace FastPoints.Build
                 toCodes[to] = codes[i];
                 toIds[to] = ids[i];
             }
-            Slices.End(begin);
+            SliceTimes.End(begin);
         }
     }
 

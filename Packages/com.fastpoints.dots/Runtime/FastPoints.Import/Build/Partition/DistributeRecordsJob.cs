@@ -24,7 +24,7 @@ namespace FastPoints.Build
         public Grid3 Corner;
         public NativeArray<RecordPages> Chunks; // Lists for the cubes; of equal cubes the last one gets the records.
         public NativeReference<RecordPagePool> Pool;
-        public SliceTimes Slices;
+        public SliceTimes SliceTimes;
 
         public void Execute()
         {
@@ -43,7 +43,7 @@ namespace FastPoints.Build
                     var position = Layout.PositionOf(record);
                     // Consecutive points are often neighbours.
                     if (cube < 0 || !Cubes[cube].Contains(position))
-                        cube = LastFrom(position);
+                        cube = IndexOfLastCubeUpTo(position);
                     if (cube >= 0 && Cubes[cube].Contains(position))
                         pool.Append(ref chunks[cube], record, 1);
                 }
@@ -52,11 +52,11 @@ namespace FastPoints.Build
                     pool.Return(page);
                 page = next;
             }
-            Slices.End(begin);
+            SliceTimes.End(begin);
         }
 
         /// <summary>The last cube whose corner does not come after a position; -1 if there is none.</summary>
-        int LastFrom(Grid3 position)
+        int IndexOfLastCubeUpTo(Grid3 position)
         {
             var at = position - Corner;
             // Morton order is only defined for positions within the octree.
@@ -86,7 +86,7 @@ namespace FastPoints.Build
         public NativeArray<long> PointsOfCell; // Indexed by Morton number of the cell; starts at zero. All records lie inside.
         public NativeArray<Grid3> Bounds; // The smallest and the largest position, extended by each job.
 
-        public SliceTimes Slices;
+        public SliceTimes SliceTimes;
 
         public void Execute()
         {
@@ -106,7 +106,7 @@ namespace FastPoints.Build
             }
             Bounds[0] = min;
             Bounds[1] = max;
-            Slices.End(begin);
+            SliceTimes.End(begin);
         }
     }
 }

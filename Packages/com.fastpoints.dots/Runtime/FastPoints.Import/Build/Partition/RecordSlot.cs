@@ -69,7 +69,7 @@ namespace FastPoints.Build
         {
             return new GroupRecordsJob
             {
-                Slices = Slices,
+                SliceTimes = Slices,
                 Columns = batch.Bytes,
                 Decoded = result,
                 X = batch.Column(batch.Schema.IndexOf(AttributeNames.X)),
@@ -89,7 +89,7 @@ namespace FastPoints.Build
             }.Schedule(decoded);
         }
 
-        public PointStatistics TakeStatistics(AttributeStatistics[] attributes)
+        public PointStatistics CollectStatistics(AttributeStatistics[] attributes)
         {
             var statistics = Statistics;
             var found = statistics.Value;
@@ -150,7 +150,7 @@ namespace FastPoints.Build
         public NativeReference<PointStatistics> Statistics;
         public NativeArray<AttributeStatistics> Attributes;
 
-        public SliceTimes Slices;
+        public SliceTimes SliceTimes;
 
         public void Execute()
         {
@@ -182,7 +182,7 @@ namespace FastPoints.Build
             }
             statistics.Checksum += sum;
             Statistics.Value = statistics;
-            Slices.End(start);
+            SliceTimes.End(start);
         }
 
         void FindChunks(byte* bytes, int count, int* chunkOfPoint, int* countOfChunk, ref PointStatistics statistics)

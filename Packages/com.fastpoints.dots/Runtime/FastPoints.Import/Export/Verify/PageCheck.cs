@@ -14,8 +14,8 @@ namespace FastPoints.Export
         readonly RemoteFile m_remote;
         readonly RemoteFile m_remoteOfComputed;
         readonly string m_pathOfComputed;
-        readonly Span m_bytes;
-        readonly Span m_computedBytes;
+        readonly ByteRange m_bytes;
+        readonly ByteRange m_computedBytes;
         readonly StoreRead m_read = new StoreRead();
         readonly StoreRead m_computed = new StoreRead();
         NativeArray<NodeBlockRange> m_parts;
@@ -33,9 +33,9 @@ namespace FastPoints.Export
             m_isRoot = page == 0;
             m_remote = folder.RemoteOf(page);
             Path = folder.PathOf(page);
-            int built = table.PlaneCount - store.Layout.ComputedPlanes;
-            m_bytes = Span.Of(table, 0, built);
-            m_computedBytes = Span.Of(table, built, table.PlaneCount);
+            int built = table.PlaneCount - store.Layout.ComputedPlaneCount;
+            m_bytes = ByteRange.Of(table, 0, built);
+            m_computedBytes = ByteRange.Of(table, built, table.PlaneCount);
             (m_remoteOfComputed, m_pathOfComputed) = built < table.PlaneCount
                 ? (folder.RemoteOfComputed(page), folder.PathOfComputed(page)) : (m_remote, Path);
             ListParts();
@@ -45,11 +45,11 @@ namespace FastPoints.Export
 
         public string Path { get; }
         public NodeTable Table { get; }
-        public JobHandle Done { get; private set; }
+        public JobHandle Jobs { get; private set; }
 
         public long Bytes => m_bytes.Count + m_computedBytes.Count;
 
-        /// <summary>Coroutine: begins the read and schedules all jobs; <see cref="Done"/> is theirs afterwards.</summary>
+        /// <summary>Coroutine: begins the read and schedules all jobs; <see cref="Jobs"/> is theirs afterwards.</summary>
         public IEnumerator<JobStep> Begin()
         {
             m_read.Begin(Path, m_bytes.First, m_bytes.Count, m_remote);
@@ -63,7 +63,7 @@ namespace FastPoints.Export
                 FileOffset = m_bytes.First,
                 Computed = m_computed.Bytes,
                 ComputedOffset = m_computedBytes.First,
-                ComputedPlanes = m_store.Layout.ComputedPlanes,
+                ComputedPlaneCount = m_store.Layout.ComputedPlaneCount,
                 Nodes = Table.Nodes,
                 Planes = Table.Planes,
                 PlaneCount = Table.PlaneCount,
@@ -85,16 +85,16 @@ namespace FastPoints.Export
                     job.First = slices[slice];
                     job.End = slices[slice + 1];
                     return job.Schedule(after);
-                }, Slices.MaxChains, isOfPlanes ? read : Done, scheduled => Done = scheduled));
+                }, Slices.MaxChains, isOfPlanes ? read : Jobs, scheduled => Jobs = scheduled));
             }
             JobHandle.ScheduleBatchedJobs();
         }
 
-        /// <summary>Ends the read, after <see cref="Done"/>.</summary>
+        /// <summary>Ends the read, after <see cref="Jobs"/>.</summary>
         /// <exception cref="PointCloudException">The file cannot be read.</exception>
         public void End()
         {
-            Done.Complete();
+            Jobs.Complete();
             m_read.Complete();
             m_computed.Complete();
         }
@@ -117,7 +117,7 @@ namespace FastPoints.Export
         {
             if (!m_results.IsCreated)
                 return;
-            Done.Complete();
+            Jobs.Complete();
             m_read.Dispose();
             m_computed.Dispose();
             m_parts.Dispose();
@@ -127,12 +127,12 @@ namespace FastPoints.Export
                 Table.Dispose();
         }
 
-        struct Span
+        struct ByteRange
         {
             public long First;
             public long Count;
 
-            public static Span Of(NodeTable table, int firstPlane, int endPlane)
+            public static ByteRange Of(NodeTable table, int firstPlane, int endPlane)
             {
                 long first = long.MaxValue, end = 0;
                 for (int i = 0; i < table.Planes.Length; i++)
@@ -143,7 +143,7 @@ namespace FastPoints.Export
                     first = Math.Min(first, range.OffsetBytes);
                     end = Math.Max(end, range.OffsetBytes + range.LengthBytes);
                 }
-                return new Span { First = Math.Min(first, end), Count = Math.Max(0, end - first) };
+                return new ByteRange { First = Math.Min(first, end), Count = Math.Max(0, end - first) };
             }
         }
 

@@ -56,7 +56,7 @@ namespace FastPoints.Export
         public void Completed(BlockRead read, int slot) { }
 
         /// <summary>Takes the statistics after the scan, which include the first sum.</summary>
-        public PointStatistics TakeStatistics(out ulong secondSum)
+        public PointStatistics CollectStatistics(out ulong secondSum)
         {
             var all = PointStatistics.None;
             secondSum = 0;

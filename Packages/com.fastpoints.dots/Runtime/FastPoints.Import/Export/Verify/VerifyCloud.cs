@@ -121,7 +121,7 @@ namespace FastPoints.Export
                     }
                     else
                     {
-                        yield return oldest.Done;
+                        yield return oldest.Jobs;
                         Add(oldest);
                         bytes -= oldest.Bytes;
                         oldest.Dispose();
@@ -259,12 +259,12 @@ namespace FastPoints.Export
                 if (!HasAttributes(reader))
                     yield break;
                 if (!reader.BlocksAreKnown)
-                    yield return JobStep.Of(reader.FindBlocks());
+                    yield return JobStep.Of(reader.IndexBlocks());
                 var wanted = reader.Info.Schema.SelectWithPosition(manifest.Attributes);
                 using var sums = new PointSetHash(manifest.Attributes, GridChoice.OnGrid(reader.Info, manifest.Grid),
                     reader.MaxPointsPerBlock);
                 yield return JobStep.Of(SourceScan.Run(reader, wanted, sums, SourceScan.SlotsFor(reader, wanted), progress));
-                var found = sums.TakeStatistics(out ulong second);
+                var found = sums.CollectStatistics(out ulong second);
                 points += found.Count;
                 leftOut += found.LeftOut;
                 firstSum += found.Checksum;

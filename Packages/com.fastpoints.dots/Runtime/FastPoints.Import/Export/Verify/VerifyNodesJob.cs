@@ -25,7 +25,7 @@ namespace FastPoints.Export
         public long FileOffset;
         [ReadOnly] public NativeArray<byte> Computed; // The bytes of the last planes, if these were computed.
         public long ComputedOffset;
-        public int ComputedPlanes;
+        public int ComputedPlaneCount;
         [ReadOnly] public NativeArray<NodeRecord> Nodes;
         [ReadOnly] public NativeArray<PlaneRange> Planes;
         public int PlaneCount;
@@ -61,7 +61,7 @@ namespace FastPoints.Export
             return new PlaneView(FileOf(plane) + range.OffsetBytes, ShapeOf(plane, node.IsWide), node.PlaneBlocks);
         }
 
-        byte* FileOf(int plane) => plane >= PlaneCount - ComputedPlanes
+        byte* FileOf(int plane) => plane >= PlaneCount - ComputedPlaneCount
             ? (byte*)Computed.GetUnsafeReadOnlyPtr() - ComputedOffset : (byte*)File.GetUnsafeReadOnlyPtr() - FileOffset;
 
         NodeCheckResult CheckPlanes(int index)

@@ -76,7 +76,7 @@ namespace FastPoints.Nodes
             Pages = pages;
             Number = number;
             m_workspace = workspace;
-            int count = checked((int)pages.Count);
+            int count = checked((int)pages.RecordCount);
             var ordered = Order(count, pages, cube, workspace.Begin(count, ready));
             var sampled = Sample(count, cube, m_records, workspace.Sorted, m_tops, ordered);
             Job = Write(new WriteNodesJob
@@ -121,7 +121,7 @@ namespace FastPoints.Nodes
             var prepared = workspace.Begin(count, default);
             var prepare = new PrepareUpperJob
             {
-                Slices = m_sliceTimes,
+                SliceTimes = m_sliceTimes,
                 Layout = layout,
                 Corner = m_rootCorner,
                 Records = records,
@@ -167,7 +167,7 @@ namespace FastPoints.Nodes
         {
             var job = new OrderChunkJob
             {
-                Slices = m_sliceTimes,
+                SliceTimes = m_sliceTimes,
                 Pages = pages,
                 Layout = m_records,
                 Cube = cube,
@@ -192,7 +192,7 @@ namespace FastPoints.Nodes
             bool isRandom = m_sampler == Sampler.Random;
             var job = new SampleNodesJob
             {
-                Slices = m_sliceTimes,
+                SliceTimes = m_sliceTimes,
                 Count = count,
                 RootSideLog2 = cube.SideLog2,
                 Sizes = m_sizes,
@@ -220,7 +220,7 @@ namespace FastPoints.Nodes
 
         JobHandle Write(WriteNodesJob job, JobHandle inputDeps)
         {
-            job.Slices = m_sliceTimes;
+            job.SliceTimes = m_sliceTimes;
             job.CloudId = m_cloudId;
             job.NodeOfPoint = m_workspace.NodeOfPoint;
             job.Drafts = Drafts;
@@ -265,14 +265,14 @@ namespace FastPoints.Nodes
         public NativeArray<byte> CommonCubeLog2;
         public NativeArray<uint> Priority;
 
-        public SliceTimes Slices;
+        public SliceTimes SliceTimes;
 
         public void Execute()
         {
             long begin = SliceTimes.Begin();
             new SampleInputs { CommonCubeLog2 = (byte*)CommonCubeLog2.GetUnsafePtr(), Priority = (uint*)Priority.GetUnsafePtr() }
                 .Prepare((byte*)Records.GetUnsafeReadOnlyPtr(), First, End, Layout, Corner);
-            Slices.End(begin);
+            SliceTimes.End(begin);
         }
     }
 

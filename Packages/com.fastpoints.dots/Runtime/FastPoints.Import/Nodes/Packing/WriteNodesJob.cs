@@ -60,7 +60,7 @@ namespace FastPoints.Nodes
         WriteScratch.State m_state;
         long m_budget;
 
-        public SliceTimes Slices;
+        public SliceTimes SliceTimes;
 
         public void Execute()
         {
@@ -68,7 +68,7 @@ namespace FastPoints.Nodes
                 return;
             long begin = SliceTimes.Begin();
             Run();
-            Slices.End(begin);
+            SliceTimes.End(begin);
         }
 
         public long Cost

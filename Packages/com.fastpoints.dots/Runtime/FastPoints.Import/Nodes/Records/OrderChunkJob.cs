@@ -66,7 +66,7 @@ namespace FastPoints.Nodes
         public NativeArray<uint> Priority; // Out: for each point, the upper half of its hash.
         public NativeReference<ulong> Checksum; // Out: the sum of the hashes.
 
-        public SliceTimes Slices;
+        public SliceTimes SliceTimes;
 
         [NativeDisableUnsafePtrRestriction] byte* m_records;
         OrderScratch.State m_state;
@@ -78,10 +78,10 @@ namespace FastPoints.Nodes
                 return;
             long begin = SliceTimes.Begin();
             Run();
-            Slices.End(begin);
+            SliceTimes.End(begin);
         }
 
-        int Count => (int)Pages.Count;
+        int Count => (int)Pages.RecordCount;
         long Bytes => (long)Count * Layout.StrideBytes;
 
         public long Cost =>

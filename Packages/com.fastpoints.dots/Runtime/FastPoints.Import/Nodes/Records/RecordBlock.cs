@@ -244,7 +244,7 @@ namespace FastPoints.Nodes
 
         public RecordPages Pages;
         public int StrideBytes;
-        public SliceTimes Slices;
+        public SliceTimes SliceTimes;
 
         public static JobHandle Schedule(PackRecordsJob job, JobHandle before)
         {
@@ -268,7 +268,7 @@ namespace FastPoints.Nodes
             var page = Pages.First;
             for (int p = 0; p < Pages.PageCount; p++, page = page->Next)
                 RecordBlock.Pack(page, StrideBytes, (uint*)scratch.GetUnsafePtr());
-            Slices.End(begin);
+            SliceTimes.End(begin);
         }
     }
 }

@@ -28,7 +28,7 @@ namespace FastPoints.Nodes
 
         [NativeDisableUnsafePtrRestriction] public Page* First;
         [NativeDisableUnsafePtrRestriction] public Page* Last;
-        public long Count;
+        public long RecordCount;
         public int PageCount; // Pages in the list, of which the last few may not be full.
 
         /// <summary>With a word that unpacking may read beyond a block.</summary>
@@ -47,7 +47,7 @@ namespace FastPoints.Nodes
                 Last->Next = page;
             Last = page;
             PageCount++;
-            Count += page->Count;
+            RecordCount += page->Count;
         }
 
         public void Join(ref RecordPages other)
@@ -59,12 +59,12 @@ namespace FastPoints.Nodes
             else
                 Last->Next = other.First;
             Last = other.Last;
-            Count += other.Count;
+            RecordCount += other.RecordCount;
             PageCount += other.PageCount;
             other = default;
         }
 
-        public RecordPages Cut(int pages)
+        public RecordPages DetachFirst(int pages)
         {
             if (pages <= 0)
                 return default;
@@ -74,23 +74,23 @@ namespace FastPoints.Nodes
                 this = default;
                 return head;
             }
-            head.Count = 0;
+            head.RecordCount = 0;
             head.PageCount = pages;
             head.Last = First;
             for (int i = 1; i < pages; i++)
             {
-                head.Count += head.Last->Count;
+                head.RecordCount += head.Last->Count;
                 head.Last = head.Last->Next;
             }
-            head.Count += head.Last->Count;
+            head.RecordCount += head.Last->Count;
             First = head.Last->Next;
             head.Last->Next = null;
             PageCount -= pages;
-            Count -= head.Count;
+            RecordCount -= head.RecordCount;
             return head;
         }
 
-        public RecordPages CutFull() => Cut(Last != null && Last->Count < RecordsPerPage ? PageCount - 1 : PageCount);
+        public RecordPages DetachFull() => DetachFirst(Last != null && Last->Count < RecordsPerPage ? PageCount - 1 : PageCount);
     }
 
     /// <summary>Full pages of one chunk that no longer fit in memory. Blittable.</summary>
@@ -168,7 +168,7 @@ namespace FastPoints.Nodes
                 UnsafeUtility.MemCpy(RecordPages.RecordsOf(page) + (long)page->Count * StrideBytes, records,
                     (long)taken * StrideBytes);
                 page->Count += taken;
-                pages.Count += taken;
+                pages.RecordCount += taken;
                 records += (long)taken * StrideBytes;
                 count -= taken;
             }

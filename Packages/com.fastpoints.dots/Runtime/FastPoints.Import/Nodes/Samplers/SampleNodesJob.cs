@@ -70,7 +70,7 @@ namespace FastPoints.Nodes
         public SampleScratch Scratch; // Its SampleScratch.Progress is reset before the first slice.
 
         public int CostPerSlice;
-        public SliceTimes Slices;
+        public SliceTimes SliceTimes;
 
         [NativeDisableUnsafePtrRestriction] byte* m_records;
         [NativeDisableUnsafePtrRestriction] int* m_rangeOfPoint;
@@ -85,7 +85,7 @@ namespace FastPoints.Nodes
                 return;
             long begin = SliceTimes.Begin();
             Run();
-            Slices.End(begin);
+            SliceTimes.End(begin);
         }
 
         void Run()

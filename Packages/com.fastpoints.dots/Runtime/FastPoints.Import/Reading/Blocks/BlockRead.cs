@@ -93,7 +93,7 @@ namespace FastPoints.Reading
         public long ErrorOffset;
 
         // The actual hash, if another was expected.
-        internal ulong ErrorGot;
+        internal ulong ActualHash;
     }
 
     // Decoding continues from it in any slot with the same reader and attributes. Who requested it disposes it.
@@ -104,7 +104,7 @@ namespace FastPoints.Reading
         public abstract void Dispose();
     }
 
-    abstract class SlotRead : BlockRead
+    abstract class OwningBlockRead : BlockRead
     {
         readonly PointReader m_reader;
         readonly List<IDisposable> m_owned = new List<IDisposable>();
@@ -112,7 +112,7 @@ namespace FastPoints.Reading
         bool m_isBusy;
         bool m_isDisposed;
 
-        protected SlotRead(PointReader reader, PointSchema wanted, int capacity, Allocator allocator)
+        protected OwningBlockRead(PointReader reader, PointSchema wanted, int capacity, Allocator allocator)
         {
             foreach (var attribute in wanted)
             {
@@ -133,7 +133,7 @@ namespace FastPoints.Reading
         protected JobHandle DependencyOf(JobHandle read) =>
             Dependency.Equals(default) ? read : JobHandle.CombineDependencies(read, Dependency);
 
-        protected virtual void EndRead() => File.End();
+        protected virtual void EndRead() => FileRead.End();
 
         protected virtual void Warn(DecodeResult result) { }
 
@@ -143,10 +143,10 @@ namespace FastPoints.Reading
         protected virtual void DisposeMore() { }
 
         // The slot's read, if there is only one.
-        protected NativeFileRead File { get; private set; }
+        protected NativeFileRead FileRead { get; private set; }
 
         protected NativeFileRead OwnFile(long capacityBytes, Allocator allocator, int segments = 1) =>
-            File = Own(new NativeFileRead(capacityBytes, allocator, segments));
+            FileRead = Own(new NativeFileRead(capacityBytes, allocator, segments));
 
         // Freed with the slot, in reverse order.
         protected T Own<T>(T memory) where T : IDisposable
@@ -174,8 +174,8 @@ namespace FastPoints.Reading
             Points.Count = 0;
             m_result.Value = default;
             Result = m_result;
-            if (File != null)
-                File.Fetched = TakeFetched();
+            if (FileRead != null)
+                FileRead.Fetched = TakeFetched();
             Decoded = range.Count == 0 ? default : Schedule(range);
             m_isBusy = true;
         }

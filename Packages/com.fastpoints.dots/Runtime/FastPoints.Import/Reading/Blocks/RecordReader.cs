@@ -63,7 +63,7 @@ namespace FastPoints.Reading
             m_points = points;
         }
 
-        FixedRecords Records => m_records ?? throw new InvalidOperationException("FindBlocks comes first");
+        FixedRecords Records => m_records ?? throw new InvalidOperationException("IndexBlocks comes first");
 
         long Points => Records == null ? 0 : m_points;
 
@@ -128,7 +128,7 @@ namespace FastPoints.Reading
                 {
                     var range = ranges[first + i];
                     long from = FirstPointOfBlock(range.Block) + range.First;
-                    strided[i] = new StridedRange { First = from, Step = 1, Count = range.Count, FirstEntry = index };
+                    strided[i] = new StridedRange { First = from, Step = 1, Count = range.Count, FirstInSample = index };
                     index += range.Count;
                     longest = Math.Max(longest, range.Count);
                 }
@@ -171,7 +171,7 @@ namespace FastPoints.Reading
         }
     }
 
-    sealed class RecordRead : SlotRead
+    sealed class RecordRead : OwningBlockRead
     {
         readonly FixedRecords m_records;
         readonly NativeArray<FieldCopy> m_copies;
@@ -191,29 +191,29 @@ namespace FastPoints.Reading
 
         protected override JobHandle Schedule(BlockRange range) => new DecodeRecordsJob
         {
-            Records = File.Buffer,
+            Records = FileRead.Buffer,
             Copies = m_copies,
             Columns = Points.Bytes,
             Result = Result,
             RecordBytes = m_records.RecordBytes,
             Count = range.Count,
-        }.Schedule(DependencyOf(File.Begin(m_records.File, m_records.OffsetOf(FirstPoint),
+        }.Schedule(DependencyOf(FileRead.Begin(m_records.File, m_records.OffsetOf(FirstPoint),
             range.Count * m_records.RecordBytes)));
 
-        protected override void Cancel() => File.Cancel();
+        protected override void Cancel() => FileRead.Cancel();
 
         // The header's claims were checked against the file's size at opening: a short read means that the file has changed
         // since, an error, not a cloud with fewer points.
         protected override void EndRead()
         {
-            var status = File.Close(out long got);
+            var status = FileRead.Close(out long got);
             if (status == ReadStatus.Complete)
                 return;
             var result = Result;
             result.Value = default;
             bool isShort = status == ReadStatus.Truncated;
             throw PointCloudException.Wanted(isShort ? FailureCode.Truncated : FailureCode.ReadFailed, m_records.File.Path,
-                File.Offset, isShort ? "the file became shorter" : "the read failed", NumberText.Of(Range.Count) +
+                FileRead.Offset, isShort ? "the file became shorter" : "the read failed", NumberText.Of(Range.Count) +
                 " points of " + NumberText.Of(m_records.RecordBytes) + " bytes", NumberText.Of(got / m_records.RecordBytes));
         }
     }

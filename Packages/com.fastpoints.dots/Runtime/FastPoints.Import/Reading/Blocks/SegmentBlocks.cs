@@ -99,7 +99,7 @@ namespace FastPoints.Reading
             return points;
         }
 
-        SegmentBlock[] FoundBlocks() => m_blocks ?? throw new InvalidOperationException("FindBlocks comes first");
+        SegmentBlock[] FoundBlocks() => m_blocks ?? throw new InvalidOperationException("IndexBlocks comes first");
     }
 
     struct SegmentBlock

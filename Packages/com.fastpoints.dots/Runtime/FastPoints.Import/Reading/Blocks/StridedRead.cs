@@ -77,7 +77,7 @@ namespace FastPoints.Reading
                     FirstByte = (int)((byte*)command.Buffer - buffer + (begin - command.Offset)),
                     StrideBytes = range.Step * m_records.RecordBytes,
                     Count = range.Count,
-                    FirstEntry = range.FirstEntry,
+                    FirstInSample = range.FirstInSample,
                 };
             }
             if (taken == 0)
@@ -147,7 +147,7 @@ namespace FastPoints.Reading
                 if (range.FirstByte + (range.Count - 1L) * range.StrideBytes + RecordBytes > Records.Length)
                     return;
                 PointRecords.ToColumns(records + range.FirstByte, range.StrideBytes, range.Count, Copies, columns,
-                    range.FirstEntry);
+                    range.FirstInSample);
             }
         }
     }
@@ -158,7 +158,7 @@ namespace FastPoints.Reading
         public long First;
         public int Step;
         public int Count;
-        public int FirstEntry;
+        public int FirstInSample;
 
         public long Last => First + (Count - 1L) * Step;
     }
@@ -168,7 +168,7 @@ namespace FastPoints.Reading
         public int FirstByte;
         public int StrideBytes;
         public int Count;
-        public int FirstEntry;
+        public int FirstInSample;
     }
 
     [BurstCompile]

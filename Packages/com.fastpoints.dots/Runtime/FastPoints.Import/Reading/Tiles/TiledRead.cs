@@ -121,7 +121,7 @@ namespace FastPoints.Reading
         }
     }
 
-    sealed class TiledRead : SlotRead
+    sealed class TiledRead : OwningBlockRead
     {
         readonly TiledReader m_reader;
         readonly int m_capacity;

@@ -99,7 +99,7 @@ namespace FastPoints.Reading
 
         public (int First, int Count) BlocksOf(int tile) => (m_tiles[tile].FirstBlock, m_tiles[tile].BlockCount);
 
-        public CloudSource TileOf(int tile) => new CloudSource
+        public SourceEntry TileOf(int tile) => new SourceEntry
         {
             Name = m_tiles[tile].Path,
             FileBytes = m_tiles[tile].FileBytes,
@@ -124,7 +124,7 @@ namespace FastPoints.Reading
             return new TiledRead(this, wanted, capacity, allocator);
         }
 
-        public override IEnumerator<JobStep> FindBlocks()
+        public override IEnumerator<JobStep> IndexBlocks()
         {
             if (BlocksAreKnown)
                 yield break;
@@ -144,7 +144,7 @@ namespace FastPoints.Reading
                 try
                 {
                     tile.Reader.MaxJobs = MaxJobs;
-                    using (var work = new CoroutineStack(tile.Reader.FindBlocks()))
+                    using (var work = new CoroutineStack(tile.Reader.IndexBlocks()))
                         while (Step(work, tile))
                             yield return work.Current;
                     if (tile.Reader.BlocksAreKnown)
@@ -306,7 +306,7 @@ namespace FastPoints.Reading
             tile.Reader = null;
         }
 
-        long[] BlockStarts() => m_firstPointOfBlock ?? throw new InvalidOperationException("FindBlocks comes first");
+        long[] BlockStarts() => m_firstPointOfBlock ?? throw new InvalidOperationException("IndexBlocks comes first");
 
         TiledReader OpenAll(IReadOnlyList<string> paths, SourceInfo info = null)
         {

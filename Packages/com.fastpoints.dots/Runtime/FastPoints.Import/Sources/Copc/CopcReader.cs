@@ -63,11 +63,11 @@ namespace FastPoints.Sources
 
         public override bool BlocksAreKnown => m_tree.IsHierarchyRead;
 
-        public IEnumerator<JobStep> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
+        public IEnumerator<JobStep> ReadHierarchyBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
 
         public bool IsKnownBelow(int4 node, int levels) => m_tree.IsHierarchyRead || m_hierarchy.IsKnown(node, levels);
 
-        public override IEnumerator<JobStep> FindBlocks()
+        public override IEnumerator<JobStep> IndexBlocks()
         {
             if (m_tree.IsHierarchyRead)
                 yield break;

@@ -37,7 +37,7 @@ namespace FastPoints.Sources
         // Looked up together: adding them takes far less than a millisecond of the main thread.
         const int StepNodes = 256;
 
-        readonly EptIndex m_index;
+        readonly EptMetadata m_metadata;
         readonly EptReader m_reader;
         readonly UnreadPages m_waiting = new UnreadPages(EptEntry.MaxLevel + 1);
         readonly HashSet<int4> m_pages = new HashSet<int4>();
@@ -46,7 +46,7 @@ namespace FastPoints.Sources
 
         public EptHierarchy(EptReader reader)
         {
-            m_index = reader.Index;
+            m_metadata = reader.Metadata;
             m_reader = reader;
             m_waiting.Add(default);
             m_pages.Add(default);
@@ -59,7 +59,7 @@ namespace FastPoints.Sources
             {
                 // If abandoned between two yields, this begins the page again; nodes that it had added are known by their keys.
                 string name = EptEntry.NameOf(page.Root.w, page.Root.xyz);
-                string path = SourcePath.Combine(SourcePath.Combine(m_index.Folder, HierarchyFolder), name + ".json");
+                string path = SourcePath.Combine(SourcePath.Combine(m_metadata.Folder, HierarchyFolder), name + ".json");
                 using (var entries = new NativeList<EptEntry>(64, Allocator.Persistent))
                 {
                     yield return JobStep.Of(Parse(path, name, entries));
@@ -87,7 +87,7 @@ namespace FastPoints.Sources
                 m_reader.Warnings.Add("the page of the hierarchy that begins with it cannot be read", name, problem);
                 yield break;
             }
-            m_index.Info.FileBytes += length;
+            m_metadata.Info.FileBytes += length;
             using var read = new NativeFileRead(length, Allocator.Persistent);
             using var state = new NativeReference<EptPageState>(Allocator.Persistent);
             JobHandle parsed = default;
@@ -181,7 +181,7 @@ namespace FastPoints.Sources
             if (m_nodes.Count + m_pages.Count > MaxNodes)
             {
                 if (!m_isFull)
-                    m_index.Info.Warn(-1, "the hierarchy has more than " + NumberText.Of(MaxNodes)
+                    m_metadata.Info.Warn(-1, "the hierarchy has more than " + NumberText.Of(MaxNodes)
                         + " nodes and pages: the others are left out");
                 m_isFull = true;
                 return;
@@ -223,15 +223,15 @@ namespace FastPoints.Sources
                 m_reader.Add(entry, 0, 0);
                 return;
             }
-            m_index.Info.FileBytes += bytes;
+            m_metadata.Info.FileBytes += bytes;
             long points = Math.Min(entry.Points, MaxPoints(bytes));
             if (points < entry.Points)
                 m_reader.Warnings.Add("its file cannot hold the points that the hierarchy claims", entry.Name, "wanted "
                     + NumberText.Of(entry.Points) + ", got room for " + NumberText.Of(points) + " in " + NumberText.Of(bytes)
                     + " bytes", -1, path);
-            else if (m_index.DataType == EptDataType.Binary && bytes > points * m_index.RecordBytes)
+            else if (m_metadata.DataType == EptDataType.Binary && bytes > points * m_metadata.RecordBytes)
                 m_reader.Warnings.Add("its file holds more than the points that the hierarchy claims", entry.Name,
-                    "wanted " + NumberText.Of(points * m_index.RecordBytes) + " bytes, got " + NumberText.Of(bytes), -1, path);
+                    "wanted " + NumberText.Of(points * m_metadata.RecordBytes) + " bytes, got " + NumberText.Of(bytes), -1, path);
             m_reader.Add(entry, points, bytes);
         }
 
@@ -247,12 +247,12 @@ namespace FastPoints.Sources
 
         long MaxPoints(long bytes)
         {
-            if (m_index.DataType == EptDataType.Binary)
-                return bytes / m_index.RecordBytes;
+            if (m_metadata.DataType == EptDataType.Binary)
+                return bytes / m_metadata.RecordBytes;
             if (bytes > MaxCompressedBytes)
                 return 0;
-            return m_index.DataType == EptDataType.Laszip
-                ? LazChunk.MaxPoints(bytes) : bytes * MaxZstandardRatio / m_index.RecordBytes;
+            return m_metadata.DataType == EptDataType.Laszip
+                ? LazChunk.MaxPoints(bytes) : bytes * MaxZstandardRatio / m_metadata.RecordBytes;
         }
     }
 

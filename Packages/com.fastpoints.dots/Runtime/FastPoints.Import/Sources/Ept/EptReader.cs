@@ -24,40 +24,40 @@ namespace FastPoints.Sources
         // The LAZ file of one node, as the template of the others; null for other data types.
         readonly LasTemplate m_template;
 
-        EptReader(EptIndex index, LasTemplate template) : base(index.Info, index.Cube, index.Spacing)
+        EptReader(EptMetadata metadata, LasTemplate template) : base(metadata.Info, metadata.Cube, metadata.Spacing)
         {
-            Index = index;
+            Metadata = metadata;
             m_template = template;
-            int pointBytes = Math.Max(Info.Schema.BytesPerPoint, template?.Las.Header.RecordBytes ?? index.RecordBytes);
+            int pointBytes = Math.Max(Info.Schema.BytesPerPoint, template?.Las.Header.RecordBytes ?? metadata.RecordBytes);
             m_blockPoints = Math.Max(1, Math.Min(MaxBlockPoints, MaxBlockBytes / pointBytes));
             m_hierarchy = new EptHierarchy(this);
         }
 
         internal static EptReader Open(JsonMembers json)
         {
-            var index = EptIndex.Read(json);
-            if (index.DataType != EptDataType.Laszip)
-                return new EptReader(index, null);
+            var metadata = EptMetadata.Read(json);
+            if (metadata.DataType != EptDataType.Laszip)
+                return new EptReader(metadata, null);
             // A node's own scale and offset count even if ept.json gives others.
-            var template = new LasTemplate(AnyNode(index));
+            var template = new LasTemplate(PathOfAnyNode(metadata));
             var las = template.Las;
             if (template.Laz == null)
                 throw PointCloudException.Wanted(FailureCode.BadInput, las.Info.Path, LasHeader.At.PointFormat,
                     "a node of an EPT of data type laszip", "LAZ", "LAS");
-            index.Info.Schema = las.Info.Schema;
-            index.Info.Transform = las.Info.Transform;
-            index.Info.PointFormat = las.Header.PointFormat;
-            index.Info.GpsTime = las.Info.GpsTime;
-            if (!index.Info.Crs.IsKnown)
-                index.Info.Crs = las.Info.Crs;
-            template.Laz.AddFacts(index.Info);
-            return new EptReader(index, template);
+            metadata.Info.Schema = las.Info.Schema;
+            metadata.Info.Transform = las.Info.Transform;
+            metadata.Info.PointFormat = las.Header.PointFormat;
+            metadata.Info.GpsTime = las.Info.GpsTime;
+            if (!metadata.Info.Crs.IsKnown)
+                metadata.Info.Crs = las.Info.Crs;
+            template.Laz.AddFacts(metadata.Info);
+            return new EptReader(metadata, template);
         }
 
         // The root's file, or another one if it is missing.
-        static string AnyNode(EptIndex index)
+        static string PathOfAnyNode(EptMetadata metadata)
         {
-            string folder = SourcePath.Combine(index.Folder, DataFolder);
+            string folder = SourcePath.Combine(metadata.Folder, DataFolder);
             string root = SourcePath.Combine(folder, "0-0-0-0.laz");
             if (SourcePath.IsRemote(root) || File.Exists(root) || !Directory.Exists(folder))
                 return root;
@@ -66,16 +66,16 @@ namespace FastPoints.Sources
             return root;
         }
 
-        internal EptIndex Index { get; }
+        internal EptMetadata Metadata { get; }
 
-        public override bool HasFixedStride => Index.DataType == EptDataType.Binary;
+        public override bool HasFixedStride => Metadata.DataType == EptDataType.Binary;
 
         internal override string NameOf(int level, int3 cell) => EptEntry.NameOf(level, cell);
 
-        public string PathOf(int level, int3 cell) => SourcePath.Combine(SourcePath.Combine(Index.Folder, DataFolder),
-            EptEntry.NameOf(level, cell) + (HasFixedStride ? ".bin" : Index.DataType == EptDataType.Laszip ? ".laz" : ".zst"));
+        public string PathOf(int level, int3 cell) => SourcePath.Combine(SourcePath.Combine(Metadata.Folder, DataFolder),
+            EptEntry.NameOf(level, cell) + (HasFixedStride ? ".bin" : Metadata.DataType == EptDataType.Laszip ? ".laz" : ".zst"));
 
-        private protected override int BytesPerPoint => HasFixedStride ? Index.RecordBytes : 0;
+        private protected override int BytesPerPoint => HasFixedStride ? Metadata.RecordBytes : 0;
 
         public override string FileOfBlock(int block, out long byteOffset)
         {
@@ -91,18 +91,19 @@ namespace FastPoints.Sources
         public override long BytesOfRange(BlockRange range)
         {
             if (HasFixedStride)
-                return (long)range.Count * Index.RecordBytes;
+                return (long)range.Count * Metadata.RecordBytes;
             var block = Block(range.Block);
-            double share = Index.DataType == EptDataType.Laszip ? block.NodePoints
+            double share = Metadata.DataType == EptDataType.Laszip ? block.NodePoints
                 : block.FirstInNode + range.First + range.Count;
             return (long)(BytesOf(block) * Math.Min(1, share / block.NodePoints));
         }
 
-        public override IEnumerator<JobStep> FindBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
+        public override IEnumerator<JobStep> ReadHierarchyBelow(int4 node, int levels) =>
+            m_hierarchy.Read(node, Math.Max(1, levels));
 
         public override bool IsKnownBelow(int4 node, int levels) => Tree.IsHierarchyRead || m_hierarchy.IsKnown(node, levels);
 
-        public override IEnumerator<JobStep> FindBlocks()
+        public override IEnumerator<JobStep> IndexBlocks()
         {
             if (Tree.IsHierarchyRead)
                 yield break;
@@ -121,7 +122,7 @@ namespace FastPoints.Sources
         {
             if (m_template != null)
                 return new LasNodeRead(this, m_template, false, wanted, capacity, allocator);
-            if (Index.DataType == EptDataType.Zstandard && Decompressors.Zstandard == null)
+            if (Metadata.DataType == EptDataType.Zstandard && Decompressors.Zstandard == null)
                 throw new PointCloudException(FailureCode.Unsupported, Info.Path, -1, "its points are compressed by "
                     + "zstandard, for which .NET Standard 2.1 has nothing: set Decompressors.Zstandard to a decompressor "
                     + "(the command line takes the system's libzstd), or convert it (./fastpoints convert, or pdal "

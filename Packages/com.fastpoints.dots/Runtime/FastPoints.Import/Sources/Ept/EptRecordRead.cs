@@ -69,11 +69,11 @@ namespace FastPoints.Sources
             Allocator allocator)
             : base(reader, wanted, capacity, allocator)
         {
-            m_recordBytes = reader.Index.RecordBytes;
+            m_recordBytes = reader.Metadata.RecordBytes;
             m_bufferPoints = Math.Max(1, BufferBytes / m_recordBytes);
             try
             {
-                m_copies = Own(new NativeArray<FieldCopy>(FieldCopyPlan.Make(reader.Index.Fields, Points), allocator));
+                m_copies = Own(new NativeArray<FieldCopy>(FieldCopyPlan.Make(reader.Metadata.Fields, Points), allocator));
                 if (decompressor != null)
                     m_decompressor = Own(new DecompressorHandle(decompressor()));
             }
@@ -93,7 +93,7 @@ namespace FastPoints.Sources
                 return Decompress(range, block);
             var decoded = BeginRead(range);
             for (int first = 0; first < range.Count; first += PointsPerSlice)
-                decoded = Decode(File.Buffer, first, first, Math.Min(PointsPerSlice, range.Count - first)).Schedule(decoded);
+                decoded = Decode(FileRead.Buffer, first, first, Math.Min(PointsPerSlice, range.Count - first)).Schedule(decoded);
             return decoded;
         }
 
@@ -106,7 +106,7 @@ namespace FastPoints.Sources
                 int count = (int)Math.Min(m_bufferPoints, end - first);
                 decoded = new DecompressJob
                 {
-                    Input = File.Buffer,
+                    Input = FileRead.Buffer,
                     InputBytes = BytesRead,
                     Output = m_buffer,
                     Wanted = count * m_recordBytes,

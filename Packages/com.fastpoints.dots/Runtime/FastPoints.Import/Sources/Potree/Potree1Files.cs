@@ -25,30 +25,30 @@ namespace FastPoints.Sources
         }
 
         // In the folder that cloud.js names, or else beside cloud.js or in a folder there, since clouds are moved and renamed.
-        public static Potree1Files Find(Potree1Index index)
+        public static Potree1Files Find(Potree1Metadata metadata)
         {
-            string home = SourcePath.FolderOf(SourcePath.Full(index.Info.Path)) ?? ".";
-            string extension = index.NodeFormat == null ? ".bin" : index.NodeFormat == "LAS" ? ".las" : ".laz";
-            bool isFlat = index.Hierarchy != null;
-            foreach (string folder in new[] { Combine(home, index.OctreeFolder), Combine(home, "data"), home })
+            string home = SourcePath.FolderOf(SourcePath.Full(metadata.Info.Path)) ?? ".";
+            string extension = metadata.NodeFormat == null ? ".bin" : metadata.NodeFormat == "LAS" ? ".las" : ".laz";
+            bool isFlat = metadata.Hierarchy != null;
+            foreach (string folder in new[] { Combine(home, metadata.OctreeFolder), Combine(home, "data"), home })
                 if (TryAt(folder, out string at))
-                    return new Potree1Files(at, extension, isFlat, index.StepSize);
+                    return new Potree1Files(at, extension, isFlat, metadata.StepSize);
             foreach (string folder in FoldersIn(home))
                 if (TryAt(folder, out string at))
                 {
-                    index.Info.Warn(-1,
-                        "the nodes are not in \"" + index.OctreeFolder + "\" but in \"" + Path.GetFileName(folder) + "\"");
-                    return new Potree1Files(at, extension, isFlat, index.StepSize);
+                    metadata.Info.Warn(-1,
+                        "the nodes are not in \"" + metadata.OctreeFolder + "\" but in \"" + Path.GetFileName(folder) + "\"");
+                    return new Potree1Files(at, extension, isFlat, metadata.StepSize);
                 }
-            throw new PointCloudException(FailureCode.NotFound, index.Info.Path, -1, "the nodes are not there: wanted r"
-                + extension + " or r.hrc in \"" + index.OctreeFolder + "\" or in a folder beside this file");
+            throw new PointCloudException(FailureCode.NotFound, metadata.Info.Path, -1, "the nodes are not there: wanted r"
+                + extension + " or r.hrc in \"" + metadata.OctreeFolder + "\" or in a folder beside this file");
         }
 
         public string PathOf(int level, int3 cell) => PathOf(level, cell, m_extension);
 
         public string HierarchyPathOf(int level, int3 cell) => PathOf(level, cell, ".hrc");
 
-        public string AnyNode()
+        public string PathOfAnyNode()
         {
             string root = PathOf(0, default);
             if (SourcePath.IsRemote(root) || File.Exists(root))

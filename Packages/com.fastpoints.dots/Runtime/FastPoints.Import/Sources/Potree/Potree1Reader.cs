@@ -51,13 +51,13 @@ namespace FastPoints.Sources
         ByteReader m_records;
         int m_recordAt;
 
-        Potree1Reader(Potree1Index index, Potree1Files files, PotreeLayout layout, LasTemplate template,
-            List<(string Name, long Points)> listed) : base(index.Info, index.Cube, index.Spacing)
+        Potree1Reader(Potree1Metadata metadata, Potree1Files files, PotreeLayout layout, LasTemplate template,
+            List<(string Name, long Points)> listed) : base(metadata.Info, metadata.Cube, metadata.Spacing)
         {
             m_template = template;
             m_files = files;
-            m_scale = index.Scale;
-            m_stepSize = index.StepSize;
+            m_scale = metadata.Scale;
+            m_stepSize = metadata.StepSize;
             m_layout = layout;
             m_listed = listed;
             if (listed == null)
@@ -66,31 +66,31 @@ namespace FastPoints.Sources
 
         internal static Potree1Reader Open(JsonMembers json)
         {
-            var index = Potree1Index.Read(json);
-            var files = Potree1Files.Find(index);
-            var info = index.Info;
-            var listed = index.Hierarchy != null ? ReadList(index.Hierarchy, info) : null;
+            var metadata = Potree1Metadata.Read(json);
+            var files = Potree1Files.Find(metadata);
+            var info = metadata.Info;
+            var listed = metadata.Hierarchy != null ? ReadList(metadata.Hierarchy, info) : null;
             PotreeLayout layout = null;
             LasTemplate template = null;
-            if (index.NodeFormat != null)
+            if (metadata.NodeFormat != null)
             {
-                template = new LasTemplate(files.AnyNode());
+                template = new LasTemplate(files.PathOfAnyNode());
                 info.Schema = template.Las.Info.Schema;
                 info.Transform = template.Las.Info.Transform;
                 info.PointFormat = template.Las.Header.PointFormat;
             }
             else
             {
-                if (index.UnknownAttribute != null)
-                    MeasureUnknown(index, files, listed);
-                layout = new PotreeLayout(index.Attributes, json.Path);
+                if (metadata.UnknownAttribute != null)
+                    MeasureUnknown(metadata, files, listed);
+                layout = new PotreeLayout(metadata.Attributes, json.Path);
                 info.Schema = layout.Schema;
                 info.RecordBytes = layout.RecordBytes;
-                if (math.any(index.Cube.Size / index.Scale >= int.MaxValue))
+                if (math.any(metadata.Cube.Size / metadata.Scale >= int.MaxValue))
                     throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "steps of the bounding box",
-                        "less than 2^31", math.cmax(index.Cube.Size / index.Scale));
+                        "less than 2^31", math.cmax(metadata.Cube.Size / metadata.Scale));
             }
-            return WithFirstLevel(new Potree1Reader(index, files, layout, template, listed));
+            return WithFirstLevel(new Potree1Reader(metadata, files, layout, template, listed));
         }
 
         public override bool HasFixedStride => m_layout != null;
@@ -364,7 +364,7 @@ namespace FastPoints.Sources
         }
 
         // The length of an unknown attribute is the rest of the root's records.
-        static void MeasureUnknown(Potree1Index index, Potree1Files files, List<(string Name, long Points)> listed)
+        static void MeasureUnknown(Potree1Metadata metadata, Potree1Files files, List<(string Name, long Points)> listed)
         {
             long bytes = RandomAccessFile.LengthOf(files.PathOf(0, default)), points = 0;
             if (listed != null && listed.Count > 0)
@@ -373,15 +373,15 @@ namespace FastPoints.Sources
                 using (var source = RandomAccessFile.Open(files.HierarchyPathOf(0, default)))
                     points = source.Read(0, RecordBytes, "the root's record").UInt32(1, "points");
             long others = 0;
-            foreach (var attribute in index.Attributes)
+            foreach (var attribute in metadata.Attributes)
                 others += attribute?.Bytes ?? 0;
             long unknown = points > 0 && bytes > 0 && bytes % points == 0 ? bytes / points - others : 0;
             if (unknown < 1 || unknown > PotreeAttribute.MaxElements)
-                throw PointCloudException.Wanted(FailureCode.Unsupported, index.Info.Path, -1, "\"pointAttributes\"",
-                    "names that are known", index.UnknownAttribute);
-            int at = index.Attributes.IndexOf(null);
-            index.Attributes[at] = PotreeAttribute.Make(index.UnknownAttribute, "uint8", (int)unknown, null, null, out _);
-            index.Info.Warn(-1, "attribute \"" + index.UnknownAttribute + "\" is not known: its " + NumberText.Of(unknown)
+                throw PointCloudException.Wanted(FailureCode.Unsupported, metadata.Info.Path, -1, "\"pointAttributes\"",
+                    "names that are known", metadata.UnknownAttribute);
+            int at = metadata.Attributes.IndexOf(null);
+            metadata.Attributes[at] = PotreeAttribute.Make(metadata.UnknownAttribute, "uint8", (int)unknown, null, null, out _);
+            metadata.Info.Warn(-1, "attribute \"" + metadata.UnknownAttribute + "\" is not known: its " + NumberText.Of(unknown)
                 + " bytes are read as they are");
         }
     }

@@ -45,33 +45,33 @@ namespace FastPoints.Sources
         long m_octreeBytesClaimed;
         bool m_isPageRoot;
 
-        Potree2Reader(Potree2Index index, string hierarchyPath, long hierarchyBytes, long octreeBytes)
-            : base(index.Info, index.Cube, index.Spacing)
+        Potree2Reader(Potree2Metadata metadata, string hierarchyPath, long hierarchyBytes, long octreeBytes)
+            : base(metadata.Info, metadata.Cube, metadata.Spacing)
         {
             m_hierarchyPath = hierarchyPath;
             m_hierarchyBytes = hierarchyBytes;
-            m_layout = index.Layout;
-            IsBrotli = index.IsBrotli;
-            m_octree = new SourceHandle(SourcePath.Full(SiblingOf(index.Info.Path, OctreeName)));
+            m_layout = metadata.Layout;
+            IsBrotli = metadata.IsBrotli;
+            m_octree = new SourceHandle(SourcePath.Full(SiblingOf(metadata.Info.Path, OctreeName)));
             m_octreeBytes = octreeBytes;
             m_recordsLeft = hierarchyBytes / RecordBytes;
             m_records = new ByteReader(Array.Empty<byte>(), hierarchyPath, 0);
-            Pages.Add(default, 0, Math.Min(index.FirstChunkBytes, hierarchyBytes));
+            Pages.Add(default, 0, Math.Min(metadata.FirstChunkBytes, hierarchyBytes));
         }
 
         internal static Potree2Reader Open(JsonMembers json)
         {
-            var index = Potree2Index.Read(json);
+            var metadata = Potree2Metadata.Read(json);
             string path = SiblingOf(json.Path, HierarchyName);
             long bytes;
             using (var hierarchy = RandomAccessFile.Open(path))
                 bytes = hierarchy.Length;
             long octreeBytes = RandomAccessFile.LengthOf(SiblingOf(json.Path, OctreeName));
-            index.Info.FileBytes += bytes + Math.Max(0, octreeBytes);
+            metadata.Info.FileBytes += bytes + Math.Max(0, octreeBytes);
             if (octreeBytes < 0)
-                index.Info.Warn(-1, "there is no " + OctreeName
+                metadata.Info.Warn(-1, "there is no " + OctreeName
                     + " beside it: the hierarchy can be shown, but there are no points to read");
-            return WithFirstLevel(new Potree2Reader(index, path, bytes, octreeBytes));
+            return WithFirstLevel(new Potree2Reader(metadata, path, bytes, octreeBytes));
         }
 
         public override bool HasFixedStride => !IsBrotli;

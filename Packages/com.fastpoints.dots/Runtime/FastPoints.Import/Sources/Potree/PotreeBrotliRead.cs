@@ -88,7 +88,7 @@ namespace FastPoints.Sources
                     int count = Math.Min(bufferPoints, block.Points - first);
                     decoded = new DecompressJob
                     {
-                        Input = File.Buffer,
+                        Input = FileRead.Buffer,
                         InputBytes = BytesRead,
                         Output = m_buffer,
                         Wanted = count * encoded.BytesPerPoint,

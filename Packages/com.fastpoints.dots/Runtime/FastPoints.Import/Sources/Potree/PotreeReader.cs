@@ -57,7 +57,7 @@ namespace FastPoints.Sources
         {
             try
             {
-                using (var steps = new CoroutineStack(reader.FindBelow(default, 1)))
+                using (var steps = new CoroutineStack(reader.ReadHierarchyBelow(default, 1)))
                     while (steps.MoveNext())
                         Thread.Yield();
                 return reader;
@@ -69,9 +69,9 @@ namespace FastPoints.Sources
             }
         }
 
-        public override IEnumerator<JobStep> FindBlocks() => FindBelow(default, MaxLevels + 1);
+        public override IEnumerator<JobStep> IndexBlocks() => ReadHierarchyBelow(default, MaxLevels + 1);
 
-        public override IEnumerator<JobStep> FindBelow(int4 node, int levels)
+        public override IEnumerator<JobStep> ReadHierarchyBelow(int4 node, int levels)
         {
             if (!Tree.IsHierarchyRead)
                 yield return JobStep.Of(ReadPages(node, levels));

@@ -33,7 +33,7 @@ namespace FastPoints.Sources
             var decoded = BeginRead(range);
             var decode = new DecodePotreeJob
             {
-                Records = File.Buffer,
+                Records = FileRead.Buffer,
                 Copies = m_copies,
                 Columns = Points.Bytes,
                 Result = Result,

@@ -74,7 +74,7 @@ namespace FastPoints.Sources
 
         IEnumerator<JobStep> OpenTree()
         {
-            yield return JobStep.Of(TreeSource.FindTop(m_reader));
+            yield return JobStep.Of(TreeSource.ReadTop(m_reader));
             PointBatch top = null;
             var ranges = NewRanges();
             try
@@ -151,7 +151,7 @@ namespace FastPoints.Sources
     {
         const int MaxSlots = 8;
 
-        // Coroutine, after FindTop. Whole nodes until there are as many points as wanted; the receiver owns the batch.
+        // Coroutine, after ReadTop. Whole nodes until there are as many points as wanted; the receiver owns the batch.
         public static IEnumerator<JobStep> Read(PointReader reader, string[] attributes, int wanted, Action<PointBatch> read)
         {
             var blocks = new List<int>();

@@ -79,8 +79,8 @@ namespace FastPoints.Sources
             // Claimed bounds outside the node are ignored.
             bool isEmpty = math.any(low > high);
             var origin = Grid.ToGeo(Root.Corner);
-            HierarchyGrid.Box((isEmpty ? min : low) - Grid.Step - origin, (isEmpty ? max : high) + Grid.Step - origin, out center,
-                out half);
+            CloudLocalSpace.Box((isEmpty ? min : low) - Grid.Step - origin, (isEmpty ? max : high) + Grid.Step - origin,
+                out center, out half);
         }
 
         // Relative to Corner.

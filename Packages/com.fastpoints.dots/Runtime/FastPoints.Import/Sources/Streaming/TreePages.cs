@@ -79,7 +79,7 @@ namespace FastPoints.Sources
                     m_pageInFlight = m_requestedPage;
                     m_requestedPage = None;
                     var root = m_rootOfPage[m_pageInFlight];
-                    m_reading = new CoroutineStack(m_reader.FindBelow(root, EndLevelOf(root)));
+                    m_reading = new CoroutineStack(m_reader.ReadHierarchyBelow(root, EndLevelOf(root)));
                 }
                 if (m_reading.MoveNext())
                 {

@@ -37,7 +37,7 @@ namespace FastPoints.Sources
         TreePlanes m_allPlanes;
         NativeArray<PlaneShape> m_shapes;
 
-        /// <param name="reader">The reader, which this source owns, after <see cref="FindTop"/>.</param>
+        /// <param name="reader">The reader, which this source owns, after <see cref="ReadTop"/>.</param>
         /// <param name="planes">Names of planes that are streamed besides the position (<see cref="StoreLayout"/>); those that
         /// the source lacks are left out.</param>
         /// <exception cref="PointCloudException">The source has no octree, or one without a root.</exception>
@@ -77,7 +77,7 @@ namespace FastPoints.Sources
 
         /// <summary>Coroutine, needed before a source is made: reads the upper levels of the hierarchy.</summary>
         /// <exception cref="PointCloudException">They cannot be read.</exception>
-        public static IEnumerator<JobStep> FindTop(PointReader reader) => reader.FindLevels(TreePages.LevelsToKnow);
+        public static IEnumerator<JobStep> ReadTop(PointReader reader) => reader.ReadLevels(TreePages.LevelsToKnow);
 
         public override unsafe void CreatePages(HierarchyPage* pages)
         {
@@ -162,7 +162,7 @@ namespace FastPoints.Sources
                 if (reader == null)
                     yield return JobStep.Of(PoolTask.Run(path, () => PointReaders.Open(path), other => reader = other,
                         other => other.DisposeUnread()));
-                yield return JobStep.Of(FindTop(reader));
+                yield return JobStep.Of(ReadTop(reader));
                 var source = new TreeSource(reader, AttributeNames.Classification);
                 reader = null;
                 opened(source);

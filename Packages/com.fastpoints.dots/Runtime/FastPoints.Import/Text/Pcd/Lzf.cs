@@ -48,7 +48,7 @@ namespace FastPoints.Text
 
     struct LzfCheckpoint
     {
-        public long Input;
+        public long InputOffset;
 
         // Decoded bytes before the wanted ones.
         public int Skip;
@@ -56,9 +56,9 @@ namespace FastPoints.Text
 
     struct LzfWalk
     {
-        public long Input;
-        public long Output;
-        public int Checkpoints;
+        public long InputOffset;
+        public long OutputBytes;
+        public int CheckpointCount;
         public bool IsBroken;
     }
 
@@ -91,28 +91,28 @@ namespace FastPoints.Text
             byte* buffer = (byte*)Buffer.GetUnsafePtr();
             byte* windows = (byte*)Windows.GetUnsafePtr();
             int done = 0, taken = 0;
-            while (done < SliceBytes && state.Output < DecodedBytes)
+            while (done < SliceBytes && state.OutputBytes < DecodedBytes)
             {
                 byte* output = buffer + Lzf.WindowBytes + done;
-                int written = Lzf.Step(input + taken, InputBytes - taken, output, state.Output, out int bytes);
-                if (written <= 0 || written > DecodedBytes - state.Output)
+                int written = Lzf.Step(input + taken, InputBytes - taken, output, state.OutputBytes, out int bytes);
+                if (written <= 0 || written > DecodedBytes - state.OutputBytes)
                 {
                     state.IsBroken = written != 0 || taken == 0;
                     break;
                 }
-                long after = state.Output + written;
-                for (; state.Checkpoints < Offsets.Length && Offsets[state.Checkpoints] < after; state.Checkpoints++)
+                long after = state.OutputBytes + written;
+                for (; state.CheckpointCount < Offsets.Length && Offsets[state.CheckpointCount] < after; state.CheckpointCount++)
                 {
-                    Checkpoints[state.Checkpoints] = new LzfCheckpoint
+                    Checkpoints[state.CheckpointCount] = new LzfCheckpoint
                     {
-                        Input = state.Input,
-                        Skip = (int)(Offsets[state.Checkpoints] - state.Output),
+                        InputOffset = state.InputOffset,
+                        Skip = (int)(Offsets[state.CheckpointCount] - state.OutputBytes),
                     };
-                    UnsafeUtility.MemCpy(windows + (long)state.Checkpoints * Lzf.WindowBytes, output - Lzf.WindowBytes,
+                    UnsafeUtility.MemCpy(windows + (long)state.CheckpointCount * Lzf.WindowBytes, output - Lzf.WindowBytes,
                         Lzf.WindowBytes);
                 }
-                state.Output = after;
-                state.Input += bytes;
+                state.OutputBytes = after;
+                state.InputOffset += bytes;
                 done += written;
                 taken += bytes;
             }
@@ -130,7 +130,7 @@ namespace FastPoints.Text
         public int Skip;
         public int FieldBytes;
         public int FirstCopy;
-        public int Copies;
+        public int CopyCount;
     }
 
     [BurstCompile]
@@ -170,7 +170,7 @@ namespace FastPoints.Text
                     taken += bytes;
                 }
                 PointRecords.ToColumns(decoded + segment.Skip + (long)First * segment.FieldBytes, segment.FieldBytes, Count,
-                    new FieldCopies((FieldCopy*)Copies.GetUnsafeReadOnlyPtr() + segment.FirstCopy, segment.Copies),
+                    new FieldCopies((FieldCopy*)Copies.GetUnsafeReadOnlyPtr() + segment.FirstCopy, segment.CopyCount),
                     (byte*)Columns.GetUnsafePtr());
             }
             Result.Value = new DecodeResult { Points = Count };

@@ -70,7 +70,7 @@ namespace FastPoints.Text
 
         long BlocksOf(long points) => (points + m_blockPoints - 1) / m_blockPoints;
 
-        long FoundPoints() => m_points >= 0 ? m_points : throw new InvalidOperationException("FindBlocks comes first");
+        long FoundPoints() => m_points >= 0 ? m_points : throw new InvalidOperationException("IndexBlocks comes first");
 
         public override long FirstPointOfBlock(int block) => (long)block * m_blockPoints;
 
@@ -90,21 +90,21 @@ namespace FastPoints.Text
             int index = field * (int)BlocksOf((long)Info.PointsClaimed) + block;
             var checkpoint = m_checkpoints[index];
             // The shortest copy takes two bytes and writes three: twice the wanted length is always enough.
-            long end = Math.Min(StreamBytes, checkpoint.Input + Lzf.MaxRead
+            long end = Math.Min(StreamBytes, checkpoint.InputOffset + Lzf.MaxRead
                 + 2 * (checkpoint.Skip + (long)m_blockPoints * m_fields[field].Bytes));
-            if (index + 1 < m_checkpoints.Length && m_checkpoints[index + 1].Input > 0)
-                end = Math.Min(end, m_checkpoints[index + 1].Input + Lzf.MaxRead);
-            offset = StreamOffset + checkpoint.Input;
+            if (index + 1 < m_checkpoints.Length && m_checkpoints[index + 1].InputOffset > 0)
+                end = Math.Min(end, m_checkpoints[index + 1].InputOffset + Lzf.MaxRead);
+            offset = StreamOffset + checkpoint.InputOffset;
             return new LzfSegment
             {
-                Bytes = (int)(end - checkpoint.Input),
+                Bytes = (int)(end - checkpoint.InputOffset),
                 Checkpoint = index,
                 Skip = checkpoint.Skip,
                 FieldBytes = m_fields[field].Bytes,
             };
         }
 
-        public override IEnumerator<JobStep> FindBlocks()
+        public override IEnumerator<JobStep> IndexBlocks()
         {
             if (BlocksAreKnown)
                 yield break;
@@ -118,9 +118,9 @@ namespace FastPoints.Text
             var walked = default(JobHandle);
             try
             {
-                while (state.Value.Output < m_decodedBytes && !state.Value.IsBroken)
+                while (state.Value.OutputBytes < m_decodedBytes && !state.Value.IsBroken)
                 {
-                    long at = state.Value.Input;
+                    long at = state.Value.InputOffset;
                     int bytes = (int)Math.Min(StreamBytes - at, WalkLzfJob.SliceBytes);
                     while (!read.TryFetch(File.Path, StreamOffset + at, bytes))
                         yield return default;
@@ -166,9 +166,9 @@ namespace FastPoints.Text
             int last = m_fields.Length - 1;
             while (m_fields[last].Bytes == 0)
                 last--;
-            long points = Math.Max(0, (end.Output - m_starts[last]) / m_fields[last].Bytes);
-            m_file.SetPointCount(points, StreamOffset + end.Input, "the compressed stream " +
-                (end.Input >= StreamBytes ? "ends" : "is damaged") + " here, and the values of a field follow one another");
+            long points = Math.Max(0, (end.OutputBytes - m_starts[last]) / m_fields[last].Bytes);
+            m_file.SetPointCount(points, StreamOffset + end.InputOffset, "the compressed stream " +
+                (end.InputOffset >= StreamBytes ? "ends" : "is damaged") + " here, and the values of a field follow one another");
             m_points = points;
         }
 
@@ -221,7 +221,7 @@ namespace FastPoints.Text
         }
     }
 
-    sealed unsafe class PcdLzfRead : SlotRead
+    sealed unsafe class PcdLzfRead : OwningBlockRead
     {
         readonly PcdLzfReader m_reader;
         readonly List<(int Field, FieldCopy[] Copies)> m_plan;
@@ -254,23 +254,23 @@ namespace FastPoints.Text
 
         protected override JobHandle Schedule(BlockRange range)
         {
-            var commands = File.Commands;
-            byte* buffer = (byte*)File.Buffer.GetUnsafePtr();
+            var commands = FileRead.Commands;
+            byte* buffer = (byte*)FileRead.Buffer.GetUnsafePtr();
             int used = 0, copies = 0;
             for (int i = 0; i < m_plan.Count; i++)
             {
                 var segment = m_reader.SegmentOf(m_plan[i].Field, range.Block, out long offset);
                 segment.FirstByte = used;
                 segment.FirstCopy = copies;
-                segment.Copies = m_plan[i].Copies.Length;
+                segment.CopyCount = m_plan[i].Copies.Length;
                 m_segments[i] = segment;
                 commands[i] = new ReadCommand { Buffer = buffer + used, Offset = offset, Size = segment.Bytes };
                 used += segment.Bytes;
-                copies += segment.Copies;
+                copies += segment.CopyCount;
             }
             return new DecodeLzfJob
             {
-                Input = File.Buffer,
+                Input = FileRead.Buffer,
                 Segments = m_segments,
                 Copies = m_copies,
                 Windows = m_reader.Windows,
@@ -279,7 +279,7 @@ namespace FastPoints.Text
                 Count = range.Count,
                 Columns = Points.Bytes,
                 Result = Result,
-            }.Schedule(DependencyOf(File.Begin(m_reader.File, m_plan.Count)));
+            }.Schedule(DependencyOf(FileRead.Begin(m_reader.File, m_plan.Count)));
         }
 
         protected override void Warn(DecodeResult result)

@@ -88,7 +88,7 @@ namespace FastPoints.Text
         }
     }
 
-    sealed class PlyRead : SlotRead
+    sealed class PlyRead : OwningBlockRead
     {
         // The last line may extend this many bytes behind its block.
         public const int MaxLineBytes = 64 << 10;
@@ -117,10 +117,10 @@ namespace FastPoints.Text
             var block = m_blocks[range.Block];
             if (m_ply.Header.IsAscii)
                 return ScheduleLines(AsciiRange.Of(block, range, m_ply.Info.FileBytes, MaxLineBytes));
-            var read = DependencyOf(File.Begin(m_ply.Handle, block.OffsetBytes, block.Bytes));
+            var read = DependencyOf(FileRead.Begin(m_ply.Handle, block.OffsetBytes, block.Bytes));
             return new DecodePlyListsJob
             {
-                Input = File.Buffer,
+                Input = FileRead.Buffer,
                 InputOffset = block.OffsetBytes,
                 InputBytes = block.Bytes,
                 Steps = m_steps,
@@ -134,13 +134,13 @@ namespace FastPoints.Text
 
         JobHandle ScheduleLines(AsciiRange lines) => new DecodePlyAsciiJob
         {
-            Input = File.Buffer,
+            Input = FileRead.Buffer,
             Range = lines,
             Steps = m_steps,
             Output = Points.Bytes,
             Result = Result,
             Anomalies = m_anomalies,
-        }.Schedule(DependencyOf(File.Begin(m_ply.Handle, lines.Offset, lines.Bytes)));
+        }.Schedule(DependencyOf(FileRead.Begin(m_ply.Handle, lines.Offset, lines.Bytes)));
 
         protected override void Warn(DecodeResult result)
         {

@@ -38,7 +38,7 @@ namespace FastPoints.Text
 
         public override bool BlocksAreKnown => Blocks.AreFound;
 
-        public override IEnumerator<JobStep> FindBlocks()
+        public override IEnumerator<JobStep> IndexBlocks()
         {
             if (BlocksAreKnown)
                 yield break;
@@ -75,7 +75,7 @@ namespace FastPoints.Text
             StartAt(offset, null);
         }
 
-        public override IEnumerator<JobStep> FindBlocks()
+        public override IEnumerator<JobStep> IndexBlocks()
         {
             if (BlocksAreKnown)
                 yield break;
@@ -145,7 +145,7 @@ namespace FastPoints.Text
 
         private protected override void OnBlocksFound() => Info.PointsReadable = PointCount;
 
-        public override IEnumerator<JobStep> FindBlocks()
+        public override IEnumerator<JobStep> IndexBlocks()
         {
             if (BlocksAreKnown)
                 yield break;

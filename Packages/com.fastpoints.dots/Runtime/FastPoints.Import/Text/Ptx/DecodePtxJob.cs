@@ -16,7 +16,7 @@ namespace FastPoints.Text
         public AsciiRange Range;
         public PtxScanHeader Scan;
         public ushort ScanNumber;
-        public PtxColumns Columns;
+        public PtxColumnOffsets Columns;
         [WriteOnly] public NativeArray<byte> Output;
         [WriteOnly] public NativeReference<DecodeResult> Result;
         [WriteOnly] public NativeReference<PtxAnomalies> Anomalies;
@@ -69,13 +69,13 @@ namespace FastPoints.Text
             int row = points;
             float intensity = 0;
             var color = default(int3);
-            if (Columns.Values >= 4)
+            if (Columns.ValuesPerLine >= 4)
             {
                 AsciiLines.SkipBlanks(ref p);
                 if (AsciiLines.IsLineEnd(*p) || !AsciiNumber.TryFloat(ref p, out intensity))
                     return false;
             }
-            for (int i = 0; i < Columns.Values - 4; i++)
+            for (int i = 0; i < Columns.ValuesPerLine - 4; i++)
             {
                 AsciiLines.SkipBlanks(ref p);
                 if (AsciiLines.IsLineEnd(*p) || !AsciiNumber.TryInteger(ref p, out ulong value, out bool isNegative, out _))
@@ -100,10 +100,10 @@ namespace FastPoints.Text
     }
 
     // Offsets of the batch's columns; -1 for those that are not wanted. Blittable.
-    struct PtxColumns
+    struct PtxColumnOffsets
     {
         // In a line: position; intensity; colour.
-        public int Values;
+        public int ValuesPerLine;
         public int3 Position;
         public int3 Color;
         public int Intensity;

@@ -89,7 +89,7 @@ namespace FastPoints.Text
 
         readonly List<PtxScanHeader> m_scans = new List<PtxScanHeader>();
         readonly List<ushort> m_scanOfBlock = new List<ushort>();
-        readonly int m_values;
+        readonly int m_valuesPerLine;
         readonly RunningWarning m_badRows = new RunningWarning();
         BitArray m_isReported;
         bool m_areAllFound;
@@ -97,7 +97,7 @@ namespace FastPoints.Text
         PtxReader(RandomAccessFile source, PtxScanHeader first, int values)
             : base(new SourceInfo { Path = source.Path, FileBytes = source.Length }, new SourceHandle(source.Path))
         {
-            m_values = values;
+            m_valuesPerLine = values;
             m_scans.Add(first);
             var attributes = new List<PointAttribute>();
             foreach (string axis in new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z })
@@ -137,7 +137,7 @@ namespace FastPoints.Text
             return new PtxReader(source, first, values);
         }
 
-        public override IEnumerator<JobStep> FindBlocks()
+        public override IEnumerator<JobStep> IndexBlocks()
         {
             if (m_areAllFound)
                 yield break;
@@ -245,9 +245,9 @@ namespace FastPoints.Text
                 Range = AsciiRange.Of(Blocks[range.Block], range, Info.FileBytes, MaxLineBytes),
                 Scan = m_scans[scan - 1],
                 ScanNumber = scan,
-                Columns = new PtxColumns
+                Columns = new PtxColumnOffsets
                 {
-                    Values = m_values,
+                    ValuesPerLine = m_valuesPerLine,
                     Position = new int3(Offset(AttributeNames.X), Offset(AttributeNames.Y), Offset(AttributeNames.Z)),
                     Color = new int3(Offset(AttributeNames.Red), Offset(AttributeNames.Green), Offset(AttributeNames.Blue)),
                     Intensity = Offset(AttributeNames.Intensity),
@@ -265,11 +265,11 @@ namespace FastPoints.Text
             m_isReported[range.Block] = true;
             if (found.BadRows > 0)
                 m_badRows.Add(Info, found.BadRows, found.FirstBadRow,
-                    sum => sum + " lines are no points of " + NumberText.Of(m_values) + " values and left out");
+                    sum => sum + " lines are no points of " + NumberText.Of(m_valuesPerLine) + " values and left out");
         }
     }
 
-    sealed class PtxRead : SlotRead
+    sealed class PtxRead : OwningBlockRead
     {
         readonly PtxReader m_reader;
         readonly NativeReference<PtxAnomalies> m_anomalies;
@@ -285,11 +285,11 @@ namespace FastPoints.Text
         protected override JobHandle Schedule(BlockRange range)
         {
             var job = m_reader.JobFor(range, Points);
-            job.Input = File.Buffer;
+            job.Input = FileRead.Buffer;
             job.Output = Points.Bytes;
             job.Result = Result;
             job.Anomalies = m_anomalies;
-            return job.Schedule(DependencyOf(File.Begin(m_reader.File, job.Range.Offset, job.Range.Bytes)));
+            return job.Schedule(DependencyOf(FileRead.Begin(m_reader.File, job.Range.Offset, job.Range.Bytes)));
         }
 
         protected override void Warn(DecodeResult result) => m_reader.Warn(Range, m_anomalies.Value);

@@ -109,7 +109,7 @@ namespace FastPoints.Text
 
         private protected override void OnBlocksFound() => m_isReported.Length = Blocks.Count;
 
-        public override IEnumerator<JobStep> FindBlocks()
+        public override IEnumerator<JobStep> IndexBlocks()
         {
             if (BlocksAreKnown)
                 yield break;
@@ -197,7 +197,7 @@ namespace FastPoints.Text
         };
     }
 
-    sealed class XyzRead : SlotRead
+    sealed class XyzRead : OwningBlockRead
     {
         readonly XyzReader m_reader;
         readonly NativeArray<XyzStep> m_steps;
@@ -217,14 +217,14 @@ namespace FastPoints.Text
             var lines = AsciiRange.Of(m_reader.Block(range.Block), range, m_reader.Info.FileBytes, XyzReader.MaxLineBytes);
             return new DecodeXyzJob
             {
-                Input = File.Buffer,
+                Input = FileRead.Buffer,
                 Range = lines,
                 Dialect = m_reader.Dialect,
                 Steps = m_steps,
                 Output = Points.Bytes,
                 Result = Result,
                 Anomalies = m_anomalies,
-            }.Schedule(DependencyOf(File.Begin(m_reader.File, lines.Offset, lines.Bytes)));
+            }.Schedule(DependencyOf(FileRead.Begin(m_reader.File, lines.Offset, lines.Bytes)));
         }
 
         protected override void Warn(DecodeResult result) => m_reader.Warn(Range, m_anomalies.Value);

@@ -181,7 +181,7 @@ namespace FastPoints
             if (m_segments.Count <= MaxSegments)
                 return;
             var byUse = m_segments.FindAll(s => s != m_written);
-            byUse.Sort((a, b) => a.Used.CompareTo(b.Used));
+            byUse.Sort((a, b) => a.LastUsedUtc.CompareTo(b.LastUsedUtc));
             foreach (var segment in byUse)
             {
                 if (m_segments.Count <= MaxSegments / 2)
@@ -280,7 +280,7 @@ namespace FastPoints
             {
                 int oldest = -1;
                 for (int i = 0; i < m_segments.Count; i++)
-                    if (m_segments[i] != m_written && (oldest < 0 || m_segments[i].Used < m_segments[oldest].Used))
+                    if (m_segments[i] != m_written && (oldest < 0 || m_segments[i].LastUsedUtc < m_segments[oldest].LastUsedUtc))
                         oldest = i;
                 Delete(oldest);
             }

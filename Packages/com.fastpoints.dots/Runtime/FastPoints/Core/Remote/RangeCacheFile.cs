@@ -40,12 +40,12 @@ namespace FastPoints
             Path = path;
             m_stream = stream;
             Bytes = stream.Length;
-            Used = File.GetLastWriteTimeUtc(path);
+            LastUsedUtc = File.GetLastWriteTimeUtc(path);
         }
 
         public string Path { get; }
         public long Bytes { get; private set; }
-        public DateTime Used { get; private set; }
+        public DateTime LastUsedUtc { get; private set; }
 
         public static RangeCacheFile Create(string folder, string extension)
         {
@@ -56,12 +56,12 @@ namespace FastPoints
             return new RangeCacheFile(path, FileChanges.CreateShared(path));
         }
 
-        public static bool TryOpen(string path, out RangeCacheFile segment)
+        public static bool TryOpen(string path, out RangeCacheFile file)
         {
-            segment = null;
+            file = null;
             try
             {
-                segment = new RangeCacheFile(path, FileChanges.OpenToRead(path, 4096));
+                file = new RangeCacheFile(path, FileChanges.OpenToRead(path, 4096));
                 return true;
             }
             catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
@@ -147,9 +147,9 @@ namespace FastPoints
         void Use()
         {
             var now = DateTime.UtcNow;
-            if (now - Used < s_useEvery)
+            if (now - LastUsedUtc < s_useEvery)
                 return;
-            Used = now;
+            LastUsedUtc = now;
             try
             {
                 File.SetLastWriteTimeUtc(Path, now);

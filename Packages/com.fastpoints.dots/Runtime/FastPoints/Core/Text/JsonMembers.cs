@@ -67,12 +67,12 @@ namespace FastPoints
 
         public int Int(string name) => Read(name, v => (int)InRange(v, int.MinValue, int.MaxValue));
 
-        public long Count(string name, long max = long.MaxValue) => Read(name, v => InRange(v, 0, max));
+        public long NonNegative(string name, long max = long.MaxValue) => Read(name, v => InRange(v, 0, max));
 
         public ulong Hex(string name) => Read(name, JsonReader.ToHex);
 
         // NaN for null: JSON has no word for it.
-        public double Double(string name) => Read(name, v => v == null ? double.NaN : JsonReader.ToDouble(v));
+        public double NumberOrNaN(string name) => Read(name, v => v == null ? double.NaN : JsonReader.ToDouble(v));
 
         public double Number(string name) => Read(name, Finite);
 
@@ -103,7 +103,7 @@ namespace FastPoints
         // Exactly count numbers, unless it is negative.
         public long[] Longs(string name, int count = -1) => Read(name, v => ToLongs(v, count));
 
-        public List<long[]> Lists(string name, int count) => Read(name, _ => List(name).ConvertAll(i => ToLongs(i, count)));
+        public List<long[]> LongLists(string name, int count) => Read(name, _ => List(name).ConvertAll(i => ToLongs(i, count)));
 
         public double3 Vector(string name)
         {

@@ -84,7 +84,7 @@ namespace FastPoints.Drawing
         public double3[] ExtremePoints = new double3[0];
 
         /// <summary>Points with a position that is not finite: in no range.</summary>
-        public long NonFinite;
+        public long NonFiniteCount;
 
         /// <summary>Heights along UpAxis in CRS units: of a negative axis, coordinates with the other sign.</summary>
         public double ElevationLow;
@@ -104,7 +104,7 @@ namespace FastPoints.Drawing
         public readonly SortedSet<int> Classes = new SortedSet<int>();
 
         /// <summary>There are several classes, and most points are of one that means something.</summary>
-        public bool AreClassesSet;
+        public bool HasMeaningfulClasses;
 
         /// <summary>None where there is no colour or it is all black.</summary>
         public ColorDepth Color;
@@ -119,7 +119,7 @@ namespace FastPoints.Drawing
             Elevation = new CloudManifest.Range { Min = ElevationLow, Max = ElevationHigh },
             Intensity = new CloudManifest.Range { Min = IntensityLow, Max = IntensityHigh },
             HasColor = Color != ColorDepth.None,
-            AreClassesSet = AreClassesSet,
+            HasMeaningfulClasses = HasMeaningfulClasses,
         };
 
         /// <summary>What a manifest says: what is shown of the cloud, or else bounds and ranges with outliers.</summary>
@@ -140,7 +140,7 @@ namespace FastPoints.Drawing
                 ranges.Robust = shown.BoundsGeo;
                 ranges.ElevationLow = shown.Elevation.Min;
                 ranges.ElevationHigh = shown.Elevation.Max;
-                ranges.AreClassesSet = shown.AreClassesSet;
+                ranges.HasMeaningfulClasses = shown.HasMeaningfulClasses;
             }
             ranges.SetLengths();
             int intensity = manifest.Attributes.IndexOf(AttributeNames.Intensity);
@@ -320,7 +320,7 @@ namespace FastPoints.Drawing
                     return wanted;
                 default:
                     return Categories.Contains(wanted) ? wanted
-                        : Color != ColorDepth.None ? ColorMode.Rgb : AreClassesSet ? ColorMode.Classification
+                        : Color != ColorDepth.None ? ColorMode.Rgb : HasMeaningfulClasses ? ColorMode.Classification
                             : ColorMode.Elevation;
             }
         }
@@ -335,7 +335,7 @@ namespace FastPoints.Drawing
         void SetPositions(PositionBounds bounds, ColumnQuantiles x, ColumnQuantiles y, ColumnQuantiles z)
         {
             Full = bounds.Bounds;
-            NonFinite = bounds.NonFinite;
+            NonFiniteCount = bounds.NonFiniteCount;
             if (Full.IsEmpty)
             {
                 Robust = BoundsGeo.Empty;
@@ -465,7 +465,7 @@ namespace FastPoints.Drawing
                 Classes.Add(found);
                 meant += found >= FirstClassWithMeaning ? 1 : 0;
             }
-            AreClassesSet = Classes.Count > 1 && 2 * meant > looked;
+            HasMeaningfulClasses = Classes.Count > 1 && 2 * meant > looked;
         }
 
         void SetColor(AttributeType type, ColumnQuantiles red, ColumnQuantiles green, ColumnQuantiles blue)

@@ -50,7 +50,7 @@ namespace FastPoints.Drawing
             Units = folder.Manifest.Crs.Units,
             Ranges = DisplayRanges.Of(folder.Manifest),
             RangesHaveOutliers = folder.Manifest.Shown == null,
-            HasNormals = folder.Layout.ComputedPlanes > 0,
+            HasNormals = folder.Layout.ComputedPlaneCount > 0,
         };
     }
 }

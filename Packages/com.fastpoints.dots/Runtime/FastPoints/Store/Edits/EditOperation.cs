@@ -134,7 +134,7 @@ namespace FastPoints.Store
             int action = Array.IndexOf(s_actions, json.Text("do"));
             if (action < 0)
                 throw json.Bad("do", string.Join(", ", s_actions));
-            var operation = new EditOperation { Action = (EditAction)action, PointsChanged = json.Count("pointsChanged") };
+            var operation = new EditOperation { Action = (EditAction)action, PointsChanged = json.NonNegative("pointsChanged") };
             operation.Value = Array.ConvertAll(json.Longs("value", operation.ChangedAttributes.Length),
                 value => value == (byte)value ? (byte)value : throw json.Bad("value", "numbers from 0 to 255"));
             foreach (var box in json.Objects("boxes"))

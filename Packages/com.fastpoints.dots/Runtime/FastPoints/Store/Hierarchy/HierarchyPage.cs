@@ -74,7 +74,7 @@ namespace FastPoints.Store
         }
 
         // The cube of what is below the link, cut to the cloud's bounds.
-        internal static HierarchyPage OfLink(in PageLink link, in HierarchyGrid grid)
+        internal static HierarchyPage OfLink(in PageLink link, in CloudLocalSpace grid)
         {
             var page = new HierarchyPage();
             grid.BoxOf(link, out page.Center, out page.Half);

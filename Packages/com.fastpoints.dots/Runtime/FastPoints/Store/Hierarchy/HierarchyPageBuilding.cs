@@ -9,7 +9,7 @@ namespace FastPoints.Store
     internal static unsafe class HierarchyPageBuilding
     {
         // From a page without problems. Its nodes number the pages below from 0 on, until they are registered.
-        public static void Build(in PageView stored, NativeArray<int> wanted, in HierarchyGrid grid, ref HierarchyPage page)
+        public static void Build(in PageView stored, NativeArray<int> wanted, in CloudLocalSpace grid, ref HierarchyPage page)
         {
             int nodeCount = stored.NodeCount, planeCount = stored.Header.PlaneCount;
             var records = stored.Nodes;
@@ -50,7 +50,7 @@ namespace FastPoints.Store
             page.Status = HierarchyPageStatus.Loaded;
         }
 
-        static StreamNode NodeOf(NodeRecord* records, int n, LocalBox box, in HierarchyGrid grid)
+        static StreamNode NodeOf(NodeRecord* records, int n, LocalBox box, in CloudLocalSpace grid)
         {
             var record = records[n];
             var node = new StreamNode
@@ -63,13 +63,13 @@ namespace FastPoints.Store
                 PointCount = record.PlaneNode == n ? record.PointCount : 0,
                 BlockCount = record.PlaneBlocks,
             };
-            HierarchyGrid.Box(box.Min, box.Max, out node.Center, out node.Half);
+            CloudLocalSpace.Box(box.Min, box.Max, out node.Center, out node.Half);
             for (int child = record.FirstChild; record.PlaneNode == n && child < record.FirstChild + record.ChildCount; child++)
                 node.PointCount += records[child].PlaneNode == n ? records[child].PointCount : 0;
             return node;
         }
 
-        static LocalBox OwnBox(in NodeRecord node, in HierarchyGrid grid)
+        static LocalBox OwnBox(in NodeRecord node, in CloudLocalSpace grid)
         {
             // Bounds of wide nodes are rounded down to units of several steps.
             int shift = node.BoundsShift;
@@ -96,9 +96,9 @@ namespace FastPoints.Store
     {
         [ReadOnly] public NativeArray<byte> Table;
         public PageLink Link;
-        public HierarchyGrid Grid;
+        public CloudLocalSpace Grid;
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
-        public int ComputedPlanes; // The last of these.
+        public int ComputedPlaneCount; // The last of these.
         [ReadOnly] public NativeArray<int> Wanted;
 
         // The page, if Problem is none; the code that takes it owns its memory.
@@ -106,7 +106,7 @@ namespace FastPoints.Store
         public NativeReference<TableProblem> Problem;
 
         public TableCheck Check =>
-            new TableCheck(Table, Link, Grid, (PlaneShape*)Shapes.GetUnsafeReadOnlyPtr(), Shapes.Length, ComputedPlanes);
+            new TableCheck(Table, Link, Grid, (PlaneShape*)Shapes.GetUnsafeReadOnlyPtr(), Shapes.Length, ComputedPlaneCount);
 
         public void Execute()
         {

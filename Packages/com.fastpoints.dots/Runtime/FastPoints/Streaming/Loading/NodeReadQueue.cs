@@ -179,13 +179,13 @@ namespace FastPoints.Streaming
                 }
                 long bytes = 0;
                 bool hasRoom = true;
-                for (int j = i; j < m_wanted.Length && hasRoom && bytes < m_state.Settings.BytesPerRead; j++)
+                for (int j = i; j < m_wanted.Length && hasRoom && bytes < m_state.Settings.MaxBytesPerRead; j++)
                 {
                     var node = m_wanted[j];
                     if (node.Node < 0 || node.Cloud != first.Cloud || node.Page != first.Page)
                         continue;
                     long size = cloud.BytesOf(node.Page, node.Node);
-                    if (bytes > 0 && bytes + size > m_state.Settings.BytesPerRead)
+                    if (bytes > 0 && bytes + size > m_state.Settings.MaxBytesPerRead)
                         break;
                     hasRoom = m_state.TryAllocate(node, firstRank + node.Parent, size, ref stats, out int slot);
                     if (!hasRoom)
@@ -198,7 +198,7 @@ namespace FastPoints.Streaming
                     m_wanted.ElementAt(j).Node = -1;
                 }
                 if (bytes > 0)
-                    fetch.ReadNodes(m_state.Settings.GapBytes, firstRank + first.Parent);
+                    fetch.ReadNodes(m_state.Settings.MaxGapBytes, firstRank + first.Parent);
                 stats.RequestedBytes += bytes;
                 if (!hasRoom)
                     return false;

@@ -36,7 +36,7 @@ namespace FastPoints.Streaming
             m_slots.Clear();
             m_parts.Clear();
             long bytes = 0;
-            while (m_slots.Length < m_state.Settings.UploadNodesPerFrame)
+            while (m_slots.Length < m_state.Settings.MaxUploadNodesPerFrame)
             {
                 var fetch = OldestWaiting(fetches);
                 if (fetch == null)
@@ -48,9 +48,9 @@ namespace FastPoints.Streaming
                     continue;
                 }
                 long size = fetch.Cloud.BytesOf(fetch.Page, node.Node);
-                if (m_slots.Length > 0 && bytes + size > m_state.Settings.UploadBytesPerFrame)
+                if (m_slots.Length > 0 && bytes + size > m_state.Settings.MaxUploadBytesPerFrame)
                     break;
-                if (m_slots.Length == 0 && !m_state.Pool.TryBeginUpload(m_state.Settings.UploadBytesPerFrame))
+                if (m_slots.Length == 0 && !m_state.Pool.TryBeginUpload(m_state.Settings.MaxUploadBytesPerFrame))
                     return;
                 byte* to = m_state.Pool.AddressForUpload(m_state.Cache[node.Slot].Range, size);
                 if (to == null)

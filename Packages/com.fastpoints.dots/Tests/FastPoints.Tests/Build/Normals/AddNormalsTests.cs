@@ -176,7 +176,7 @@ namespace FastPoints.Tests.Build
             foreach (var (place, normal) in normals)
                 if (normal != OctahedralNormal.None)
                     Assert.That(math.dot((double3)OctahedralNormal.Decode(normal), -place / Radius), Is.GreaterThan(0.9998));
-            Assert.That(Orientation(), Is.EqualTo(AddNormals.Source));
+            Assert.That(Orientation(), Is.EqualTo(NormalOrientations.OfSource));
             Assert.That(Problems(), Is.Empty);
         }
 
@@ -186,15 +186,15 @@ namespace FastPoints.Tests.Build
             Convert(20000, 5, (_, _) => 0);
             Run();
             Assert.That(NormalsOf(Cloud).All(n => n.Normal != OctahedralNormal.None));
-            Assert.That(Orientation(), Is.EqualTo(AddNormals.Viewer));
+            Assert.That(Orientation(), Is.EqualTo(NormalOrientations.Viewer));
         }
 
-        [TestCase("PROJCS[\"UTM\",GEOGCS[\"WGS 84\",UNIT[\"degree\",0.0174532925]],UNIT[\"metre\",1]]", 0, AddNormals.Up)]
-        [TestCase("GEOGCS[\"WGS 84\",UNIT[\"degree\",0.0174532925]]", 0, AddNormals.Up)]
-        [TestCase("LOCAL_CS[\"site\",UNIT[\"metre\",1]]", 0, AddNormals.Viewer)]
-        [TestCase("GEOCCS[\"WGS 84\",UNIT[\"metre\",1]]", 0, AddNormals.Viewer)]
-        [TestCase(null, 32633, AddNormals.Up)]
-        [TestCase(null, 4978, AddNormals.Viewer)]
+        [TestCase("PROJCS[\"UTM\",GEOGCS[\"WGS 84\",UNIT[\"degree\",0.0174532925]],UNIT[\"metre\",1]]", 0, NormalOrientations.Up)]
+        [TestCase("GEOGCS[\"WGS 84\",UNIT[\"degree\",0.0174532925]]", 0, NormalOrientations.Up)]
+        [TestCase("LOCAL_CS[\"site\",UNIT[\"metre\",1]]", 0, NormalOrientations.Viewer)]
+        [TestCase("GEOCCS[\"WGS 84\",UNIT[\"metre\",1]]", 0, NormalOrientations.Viewer)]
+        [TestCase(null, 32633, NormalOrientations.Up)]
+        [TestCase(null, 4978, NormalOrientations.Viewer)]
         public void Run_CoordinateSystem_SaysWhetherTheyPointUp(string wkt, int epsg, string wanted)
         {
             string file = Path.Combine(Cloud, StoreFormat.ManifestName);
@@ -227,7 +227,7 @@ namespace FastPoints.Tests.Build
             foreach (var (place, normal) in NormalsOf(Cloud))
                 if (math.abs(place.x) > 0.5)
                     Assert.That(math.dot((double3)OctahedralNormal.Decode(normal), place) * place.x, Is.Positive);
-            Assert.That(Orientation(), Is.EqualTo(AddNormals.Scanner));
+            Assert.That(Orientation(), Is.EqualTo(NormalOrientations.Scanner));
             Assert.That(Problems(), Is.Empty);
         }
 
@@ -263,7 +263,7 @@ namespace FastPoints.Tests.Build
             batch.Column<float>(1).GetSubArray(0, inputs.Length).CopyFrom(inputs.Select(i => i.Y).ToArray());
             batch.Column<short>(2).GetSubArray(0, inputs.Length).CopyFrom(inputs.Select(i => i.Z).ToArray());
             using var normals = new NativeArray<ushort>(inputs.Length, Allocator.Persistent);
-            NormalsOfFilesJob.Of(batch, schema.Select(a => a.Name).ToArray(), normals).Schedule(0, batch.Count, default)
+            PackSourceNormalsJob.Of(batch, schema.Select(a => a.Name).ToArray(), normals).Schedule(0, batch.Count, default)
                 .Complete();
             Assert.That(normals.ToArray(), Is.EqualTo(inputs.Select(i => i.Wanted.Equals(default) ? OctahedralNormal.None
                 : OctahedralNormal.Encode(i.Wanted))));

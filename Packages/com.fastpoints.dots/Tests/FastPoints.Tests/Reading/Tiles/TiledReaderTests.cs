@@ -141,7 +141,7 @@ namespace FastPoints.Tests.Reading
                 "property double z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty float Intensity\n" +
                 "end_header\n1.5 2.5 3.5 255 128 0 0.5\n4 5 6 1 2 3 70000\n");
             using var reader = PointReaders.Open(new[] { las, old, ply });
-            ReadPoints.FindBlocks(reader);
+            ReadPoints.IndexBlocks(reader);
             var schema = reader.Info.Schema;
             Assert.That(schema[schema.IndexOf("X")].Type, Is.EqualTo(AttributeType.Float64));
             Assert.That(schema[schema.IndexOf("Red")].Type, Is.EqualTo(AttributeType.UInt16));
@@ -263,7 +263,7 @@ namespace FastPoints.Tests.Reading
             using (var reader = (TiledReader)PointReaders.Open(paths))
             {
                 Assert.That(reader.BlocksAreKnown, Is.False);
-                ReadPoints.FindBlocks(reader);
+                ReadPoints.IndexBlocks(reader);
                 Assert.That(ReadPoints.Column<float>(reader, "X"), Is.EqualTo(expected));
                 using var read = reader.CreateRead(reader.Info.Schema.Select("X", "Z"), 2, Allocator.Persistent);
                 for (int i = 0; i < reader.BlockCount; i++)

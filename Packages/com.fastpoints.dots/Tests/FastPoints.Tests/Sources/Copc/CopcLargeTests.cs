@@ -33,7 +33,7 @@ namespace FastPoints.Tests.Sources
             using (var reader = PointReaders.Open(file.Path))
             {
                 var watch = Stopwatch.StartNew();
-                JobCoroutine.RunToEnd(reader.FindBlocks());
+                JobCoroutine.RunToEnd(reader.IndexBlocks());
                 var sums = new long[4];
                 var schema = reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z, AttributeNames.Red);
                 long points = ReadPoints.EachBlock(reader, schema, read =>

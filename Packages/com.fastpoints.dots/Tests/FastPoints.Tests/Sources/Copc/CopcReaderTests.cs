@@ -63,14 +63,14 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void FindLevels_Few_ReadsOnlyTheirPages()
+        public void ReadLevels_Few_ReadsOnlyTheirPages()
         {
             var writer = new CopcFileWriter { LevelsPerPage = 1, MaxNodePoints = 50 };
             using var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 3000, 7)), ".copc.laz");
             using var reader = PointReaders.Open(file.Path);
             Assert.That(reader.BlocksAreKnown, Is.False);
             Assert.That(reader.BlockCount, Is.EqualTo(0));
-            JobCoroutine.RunToEnd(reader.FindLevels(1));
+            JobCoroutine.RunToEnd(reader.ReadLevels(1));
             Assert.That(reader.Tree.PageCount, Is.EqualTo(1));
             Assert.That(reader.BlockCount, Is.EqualTo(1));
             int levels = writer.Nodes.Max(node => node.Level) + 1;
@@ -79,7 +79,7 @@ namespace FastPoints.Tests.Sources
                 for (int level = 1; level <= levels; level++)
                 {
                     int before = reader.BlockCount;
-                    JobCoroutine.RunToEnd(reader.FindLevels(level));
+                    JobCoroutine.RunToEnd(reader.ReadLevels(level));
                     Assert.That(reader.Tree.NodeCount, Is.EqualTo(writer.Nodes.Count(node => node.Level < level)));
                     Assert.That(reader.Tree.LevelCount, Is.EqualTo(level));
                     // The slot was made when only the root was known.
@@ -92,22 +92,22 @@ namespace FastPoints.Tests.Sources
                     Assert.That(reader.BlocksAreKnown, Is.False);
                 }
             }
-            JobCoroutine.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.IndexBlocks());
             Assert.That(reader.BlocksAreKnown, Is.True);
             CheckNodes(reader, file.Path, writer, 3);
         }
 
         [Test]
-        public void FindBlocks_Cancelled_CanRestart()
+        public void IndexBlocks_Cancelled_CanRestart()
         {
             var writer = new CopcFileWriter { LevelsPerPage = 1 };
             using var file = new TemporaryFile(writer.Write(LazRecords.Make(7, 0, 2000, 8)), ".copc.laz");
             using var reader = PointReaders.Open(file.Path);
             for (int steps = 1; steps < 9; steps++)
-                using (var work = new CoroutineStack(reader.FindBlocks()))
+                using (var work = new CoroutineStack(reader.IndexBlocks()))
                     for (int i = 0; i < steps && work.MoveNext(); i++)
                         work.Current.Complete();
-            JobCoroutine.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.IndexBlocks());
             CheckNodes(reader, file.Path, writer, 3);
             Assert.That(reader.Info.Warnings, Is.Empty);
         }
@@ -135,7 +135,7 @@ namespace FastPoints.Tests.Sources
             using var file = new TemporaryFile(writer.Write(records), ".copc.laz");
             using var source = RandomAccessFile.Open(file.Path);
             using var reader = CopcReader.TryOpen(LasFile.Read(source), source, 1000);
-            JobCoroutine.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.IndexBlocks());
             Assert.That(reader.Tree.NodeCount, Is.EqualTo(3));
             Assert.That(reader.Tree[2].PointCount, Is.EqualTo(500));
             var got = LazFileReading.Records(reader, LazFileReading.LayoutOf(file.Path));

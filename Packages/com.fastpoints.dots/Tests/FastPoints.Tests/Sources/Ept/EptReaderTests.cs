@@ -73,18 +73,18 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void FindLevels_Few_ReadsOnlyTheirPages()
+        public void ReadLevels_Few_ReadsOnlyTheirPages()
         {
             using var folder = Make(EptDataType.Binary, 2000, 1, 0, 50);
             using var reader = PointReaders.Open(folder.Path);
             Assert.That(reader.BlocksAreKnown, Is.False);
             for (int level = 1; level <= folder.Nodes.Max(node => node.Level) + 1; level++)
             {
-                JobCoroutine.RunToEnd(reader.FindLevels(level));
+                JobCoroutine.RunToEnd(reader.ReadLevels(level));
                 Assert.That(reader.Tree.NodeCount, Is.EqualTo(folder.Nodes.Count(node => node.Level < level)));
             }
             Assert.That(reader.BlocksAreKnown, Is.False);
-            JobCoroutine.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.IndexBlocks());
             CheckNodes(reader, folder, 2, false);
         }
 

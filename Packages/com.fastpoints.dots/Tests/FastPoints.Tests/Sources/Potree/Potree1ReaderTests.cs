@@ -107,18 +107,18 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void FindLevels_SomeLevels_ReadsTheirPagesOnly()
+        public void ReadLevels_SomeLevels_ReadsTheirPagesOnly()
         {
             new Potree1Writer().Write(Folder, s_cloud);
             using var reader = PointReaders.Open(Folder.Path);
             Assert.That(reader.Tree.LevelCount, Is.EqualTo(3));
             Assert.That(reader.BlocksAreKnown, Is.False);
-            JobCoroutine.RunToEnd(reader.FindLevels(3));
+            JobCoroutine.RunToEnd(reader.ReadLevels(3));
             Assert.That(reader.Tree.LevelCount, Is.EqualTo(3), "nothing more is needed for three levels");
-            JobCoroutine.RunToEnd(reader.FindLevels(4));
+            JobCoroutine.RunToEnd(reader.ReadLevels(4));
             Assert.That(reader.Tree.LevelCount, Is.EqualTo(5));
             Assert.That(reader.BlocksAreKnown, Is.False);
-            JobCoroutine.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.IndexBlocks());
             Assert.That(reader.BlocksAreKnown, Is.True);
             Assert.That(reader.PointCount, Is.EqualTo(Points));
         }

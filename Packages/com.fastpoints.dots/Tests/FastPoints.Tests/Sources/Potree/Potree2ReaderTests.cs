@@ -51,7 +51,7 @@ namespace FastPoints.Tests.Sources
             _ => throw new ArgumentException("nobody wrote " + column),
         };
 
-        static void Find(PointReader reader) => JobCoroutine.RunToEnd(reader.FindBlocks());
+        static void Find(PointReader reader) => JobCoroutine.RunToEnd(reader.IndexBlocks());
 
         static List<int> ReadAll(PointReader reader, int slots = 3) =>
             PotreeCheck.Read(reader, reader.Info.Schema, ReadPoints.WholeBlocks(reader), slots, "number", Value);
@@ -98,15 +98,15 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void FindLevels_SomeLevels_ReadsTheirPagesOnlyAndKeepsIndices()
+        public void ReadLevels_SomeLevels_ReadsTheirPagesOnlyAndKeepsIndices()
         {
             using var reader = Write(false);
             Assert.That(reader.BlocksAreKnown, Is.False);
             Assert.That(reader.Tree.LevelCount, Is.EqualTo(2), "the first page but for its proxies");
             var first = Enumerable.Range(0, reader.BlockCount).Select(reader.PointsInBlock).ToList();
-            JobCoroutine.RunToEnd(reader.FindLevels(2));
+            JobCoroutine.RunToEnd(reader.ReadLevels(2));
             Assert.That(reader.Tree.LevelCount, Is.EqualTo(2));
-            JobCoroutine.RunToEnd(reader.FindLevels(3));
+            JobCoroutine.RunToEnd(reader.ReadLevels(3));
             Assert.That(reader.Tree.LevelCount, Is.InRange(4, 5), "leaves of the next page's level stand in this one");
             Assert.That(reader.BlocksAreKnown, Is.False);
             var upper = s_cloud.PointsOfNode.Where(n => n.Key.Length <= 3).SelectMany(n => n.Value).OrderBy(i => i);

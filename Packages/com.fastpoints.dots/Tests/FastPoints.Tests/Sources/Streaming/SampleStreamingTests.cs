@@ -21,10 +21,10 @@ namespace FastPoints.Tests.Sources
     {
         const int MaxFrames = 20_000_000;
 
-        static PreviewCloud Take(PointBatch batch, int points)
+        static PreviewPicture Take(PointBatch batch, int points)
         {
             using var reader = new MemoryPointReader(batch, 10_000, fixedStride: false);
-            var preview = new PreviewCloud(reader, new PreviewOptions { Points = points });
+            var preview = new PreviewPicture(reader, new PreviewOptions { Points = points });
             JobCoroutine.RunToEnd(preview.TakeSample(new StageProgress()));
             return preview;
         }
@@ -133,7 +133,7 @@ namespace FastPoints.Tests.Sources
                 {
                     int waves = 0;
                     using (var reader = MemoryReader.Of(positions, centimetres, 5000))
-                    using (var preview = new PreviewCloud(reader, new PreviewOptions { Points = 50_000 }))
+                    using (var preview = new PreviewPicture(reader, new PreviewOptions { Points = 50_000 }))
                     {
                         preview.WaveReady += (sample, wave) =>
                         {

@@ -148,7 +148,7 @@ namespace FastPoints.Tests.Sources
         static (double3 Corner, double3 Edge) DeepestNode(string path, out int levels, out int pages)
         {
             using var reader = PointReaders.Open(path);
-            JobCoroutine.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.IndexBlocks());
             var deepest = reader.Tree[0];
             for (int i = 0; i < reader.Tree.NodeCount; i++)
                 if (reader.Tree[i].Level > deepest.Level)

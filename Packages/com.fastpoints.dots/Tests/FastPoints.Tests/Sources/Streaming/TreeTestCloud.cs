@@ -53,7 +53,7 @@ namespace FastPoints.Tests.Sources
         public static TreeSource Open(string path, params string[] planes)
         {
             var reader = PointReaders.Open(path);
-            JobCoroutine.RunToEnd(TreeSource.FindTop(reader));
+            JobCoroutine.RunToEnd(TreeSource.ReadTop(reader));
             return new TreeSource(reader, planes);
         }
 

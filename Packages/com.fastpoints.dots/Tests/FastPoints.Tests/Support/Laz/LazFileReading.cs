@@ -28,7 +28,7 @@ namespace FastPoints.Tests
             using var source = RandomAccessFile.Open(path);
             var las = LasFile.Read(source);
             var reader = las.Header.IsCompressed ? LazReader.Open(las, source, longChunkPoints) : PointReaders.Open(path);
-            ReadPoints.FindBlocks(reader);
+            ReadPoints.IndexBlocks(reader);
             return reader;
         }
 

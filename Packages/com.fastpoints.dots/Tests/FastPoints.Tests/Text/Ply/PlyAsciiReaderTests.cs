@@ -164,7 +164,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void FindBlocks_LongElementsAroundTheVertices_ReadsOnlyTheVertices()
+        public void IndexBlocks_LongElementsAroundTheVertices_ReadsOnlyTheVertices()
         {
             var text = new StringBuilder();
             for (int i = 0; i < 150000; i++)

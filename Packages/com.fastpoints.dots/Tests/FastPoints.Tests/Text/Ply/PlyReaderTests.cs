@@ -190,7 +190,7 @@ namespace FastPoints.Tests.Text
             using (var reader = PlyReader.Open(file.Path))
             {
                 Assert.That(reader.BlocksAreKnown, Is.False);
-                JobCoroutine.RunToEnd(reader.FindBlocks());
+                JobCoroutine.RunToEnd(reader.IndexBlocks());
                 Assert.That(reader.BlocksAreKnown, Is.True);
                 Assert.That(reader.HasFixedStride, Is.True);
                 Assert.That(reader.PointCount, Is.EqualTo(2));
@@ -207,7 +207,7 @@ namespace FastPoints.Tests.Text
                 Append(file, format, true, (float)n, n * 0.5f, -(float)n, (byte)0);
             file.Save();
             using var reader = PlyReader.Open(file.Path);
-            JobCoroutine.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.IndexBlocks());
             Assert.That(reader.BlockCount, Is.EqualTo(1));
             using var read = reader.CreateRead(reader.Info.Schema.Select("X", "Y"), 40, Allocator.Persistent);
             foreach (var range in new[] { new BlockRange(0, 0, 40), new BlockRange(0, 60, 40),
@@ -236,7 +236,7 @@ namespace FastPoints.Tests.Text
                 Append(file, format, true, (float)n, 0f, 0f);
             file.Save();
             using var reader = PlyReader.Open(file.Path);
-            JobCoroutine.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.IndexBlocks());
             var reads = new BlockRead[3];
             for (int i = 0; i < reads.Length; i++)
                 reads[i] = reader.CreateRead(reader.Info.Schema, 20, Allocator.Persistent);
@@ -395,7 +395,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void FindBlocks_NegativeListLength_KeepsThePointsBefore()
+        public void IndexBlocks_NegativeListLength_KeepsThePointsBefore()
         {
             using var file = Xyz("binary_little_endian", 4, "property list char int l");
             file.Values(false, 1f, 2f, 3f, (sbyte)1, 5, 4f, 5f, 6f, (sbyte)-1, 7, 7f, 8f, 9f, (sbyte)0).Save();
@@ -405,7 +405,7 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void FindBlocks_ListLongerThanTheFile_KeepsThePointsBefore()
+        public void IndexBlocks_ListLongerThanTheFile_KeepsThePointsBefore()
         {
             using var file = Xyz("binary_big_endian", 2, "property list uint64 double l");
             file.Values(true, 1f, 2f, 3f, 0ul, 4f, 5f, 6f, ulong.MaxValue, 7.0).Save();
@@ -415,18 +415,18 @@ namespace FastPoints.Tests.Text
         }
 
         [Test]
-        public void FindBlocks_Cancelled_FreesEverything([ValueSource(nameof(s_formats))] string format)
+        public void IndexBlocks_Cancelled_FreesEverything([ValueSource(nameof(s_formats))] string format)
         {
             using var file = Xyz(format, 3, "property list uchar uchar l");
             for (int n = 0; n < 3; n++)
                 Append(file, format, true, (float)n, 0f, 0f, (byte)0);
             file.Save();
             using var reader = PlyReader.Open(file.Path);
-            var work = new CoroutineStack(reader.FindBlocks());
+            var work = new CoroutineStack(reader.IndexBlocks());
             Assert.That(work.MoveNext(), Is.True);
             work.Dispose();
             Assert.That(reader.BlocksAreKnown, Is.False);
-            JobCoroutine.RunToEnd(reader.FindBlocks());
+            JobCoroutine.RunToEnd(reader.IndexBlocks());
             Assert.That(reader.PointCount, Is.EqualTo(3));
         }
     }

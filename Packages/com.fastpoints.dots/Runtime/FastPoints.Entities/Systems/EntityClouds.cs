@@ -8,7 +8,7 @@ namespace FastPoints.Entities
 {
     /// <summary>State that the systems keep for the entity of a cloud. It is no component, since copies of the entity have none
     /// of it: they open their own cloud.</summary>
-    sealed class LiveCloud : IDisposable
+    sealed class EntityCloud : IDisposable
     {
         public GameObject Object; // The GameObject of the PointCloud that places it; null for none.
 
@@ -18,9 +18,9 @@ namespace FastPoints.Entities
 
         /// <summary>The source that the stream takes next; null for none. If the stream has one already, this is a newer
         /// state of the same cloud and replaces it when it is ready.</summary>
-        public NodeSource Source;
+        public NodeSource NextSource;
 
-        /// <summary>How <see cref="Source"/> is coloured, which becomes the entity's look when it is shown. Null keeps the
+        /// <summary>How <see cref="NextSource"/> is coloured, which becomes the entity's look when it is shown. Null keeps the
         /// current look.</summary>
         public PointCloudLook? Look;
 
@@ -28,21 +28,21 @@ namespace FastPoints.Entities
 
         public CloudVersions Versions;
 
-        /// <summary>How states that are not <see cref="CloudVersions.Cloud"/> are coloured, by their number in the stream. The
-        /// entity's own look is that of the shown state.</summary>
+        /// <summary>How states that are not <see cref="CloudVersions.ShownNumber"/> are coloured, by their number in the stream.
+        /// The entity's own look is that of the shown state.</summary>
         public readonly Dictionary<int, PointCloudLook> Looks = new Dictionary<int, PointCloudLook>();
 
         /// <summary>Sets the next source, replacing one that the stream has not taken.</summary>
         public void SetSource(NodeSource source, PointCloudLook? look, CloudStage stage)
         {
             DropSource();
-            (Source, Look, Stage) = (source, look, stage);
+            (NextSource, Look, Stage) = (source, look, stage);
         }
 
         public void DropSource()
         {
-            Source?.Dispose();
-            Source = null;
+            NextSource?.Dispose();
+            NextSource = null;
         }
 
         public void Dispose()
@@ -54,29 +54,29 @@ namespace FastPoints.Entities
 
     /// <summary>The live clouds of a world, by their entities: an entity's index and version are the index into this table and
     /// the version of the entry. Main thread.</summary>
-    sealed class LiveClouds : IDisposable
+    sealed class EntityClouds : IDisposable
     {
-        readonly Dictionary<Entity, LiveCloud> m_all = new Dictionary<Entity, LiveCloud>();
+        readonly Dictionary<Entity, EntityCloud> m_all = new Dictionary<Entity, EntityCloud>();
         readonly List<Entity> m_removed = new List<Entity>();
 
-        public Dictionary<Entity, LiveCloud>.Enumerator GetEnumerator() => m_all.GetEnumerator();
+        public Dictionary<Entity, EntityCloud>.Enumerator GetEnumerator() => m_all.GetEnumerator();
 
         /// <summary>The entry of an entity, made if there is none.</summary>
-        public LiveCloud Of(Entity entity)
+        public EntityCloud GetOrAdd(Entity entity)
         {
             if (!m_all.TryGetValue(entity, out var live))
-                m_all.Add(entity, live = new LiveCloud());
+                m_all.Add(entity, live = new EntityCloud());
             return live;
         }
 
         /// <returns>Null if there is none.</returns>
-        public LiveCloud Find(Entity entity) => m_all.TryGetValue(entity, out var live) ? live : null;
+        public EntityCloud Find(Entity entity) => m_all.TryGetValue(entity, out var live) ? live : null;
 
         /// <summary>The entity of the cloud whose shown state has a number in the stream; null if there is none.</summary>
         public Entity EntityShowing(int number)
         {
             foreach (var (entity, live) in m_all)
-                if (live.Versions != null && live.Versions.Cloud == number)
+                if (live.Versions != null && live.Versions.ShownNumber == number)
                     return entity;
             return Entity.Null;
         }

@@ -6,7 +6,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Sources
 {
-    sealed class EptIndex
+    sealed class EptMetadata
     {
         // Longer records than any cloud has.
         const int MaxRecordBytes = 1 << 14;
@@ -30,7 +30,7 @@ namespace FastPoints.Sources
         public int RecordBytes { get; private set; }
         public string Folder { get; private set; }
 
-        public static EptIndex Read(JsonMembers json)
+        public static EptMetadata Read(JsonMembers json)
         {
             var info = new SourceInfo
             {
@@ -40,7 +40,7 @@ namespace FastPoints.Sources
                 Version = json.Text("version", "0.0.0"),
                 PointsClaimed = (ulong)Math.Max(0, json.Long("points", 0)),
             };
-            var index = new EptIndex
+            var metadata = new EptMetadata
             {
                 Info = info,
                 Folder = SourcePath.FolderOf(SourcePath.Full(json.Path)),
@@ -53,14 +53,14 @@ namespace FastPoints.Sources
                 || info.Version.StartsWith("1.", StringComparison.Ordinal);
             if (!isKnown)
                 info.Warn(-1, "version: wanted 0 or 1, got " + info.Version + ": read anyway");
-            index.ReadCube(json);
-            index.ReadSchema(json);
+            metadata.ReadCube(json);
+            metadata.ReadSchema(json);
             ReadCrs(json, info);
             info.AddFact("data type", json.Text("dataType"));
             info.AddFact("span", NumberText.Of(json.Number("span", 0)));
-            info.AddFact("spacing", NumberText.Of(index.Spacing));
-            info.AddFact("schema bytes a point", NumberText.Of(index.RecordBytes));
-            return index;
+            info.AddFact("spacing", NumberText.Of(metadata.Spacing));
+            info.AddFact("schema bytes a point", NumberText.Of(metadata.RecordBytes));
+            return metadata;
         }
 
         static EptDataType ReadDataType(JsonMembers json)

@@ -6,9 +6,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Sources
 {
-    abstract class PotreeIndex
+    abstract class PotreeMetadata
     {
-        private protected PotreeIndex(JsonMembers json, string version, BoundsGeo box)
+        private protected PotreeMetadata(JsonMembers json, string version, BoundsGeo box)
         {
             if (box.IsEmpty)
                 throw PointCloudException.Wanted(FailureCode.BadInput, json.Path, -1, "\"boundingBox\"", "a box",
@@ -68,9 +68,9 @@ namespace FastPoints.Sources
         }
     }
 
-    sealed class Potree2Index : PotreeIndex
+    sealed class Potree2Metadata : PotreeMetadata
     {
-        Potree2Index(JsonMembers json, string encoding, BoundsGeo box) : base(json, json.Text("version", "2"), box)
+        Potree2Metadata(JsonMembers json, string encoding, BoundsGeo box) : base(json, json.Text("version", "2"), box)
         {
             Info.Transform.Scale = UsableScale(json.Vector("scale"), json);
             Info.Transform.Offset = json.Vector("offset");
@@ -90,14 +90,14 @@ namespace FastPoints.Sources
         public long FirstChunkBytes { get; }
         public bool IsBrotli { get; }
 
-        public static Potree2Index Read(JsonMembers json)
+        public static Potree2Metadata Read(JsonMembers json)
         {
             string encoding = json.Text("encoding");
             if (encoding != "DEFAULT" && encoding != "BROTLI" && encoding != "UNCOMPRESSED")
                 throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "encoding", "DEFAULT or BROTLI",
                     encoding);
             var box = json.Object("boundingBox");
-            return new Potree2Index(json, encoding, new BoundsGeo(box.Vector("min"), box.Vector("max")));
+            return new Potree2Metadata(json, encoding, new BoundsGeo(box.Vector("min"), box.Vector("max")));
         }
 
         List<PotreeAttribute> ReadAttributes(JsonMembers json)
@@ -123,7 +123,7 @@ namespace FastPoints.Sources
         }
     }
 
-    sealed class Potree1Index : PotreeIndex
+    sealed class Potree1Metadata : PotreeMetadata
     {
         // Elements and type of the attributes that versions before 1.8 only name.
         static readonly Dictionary<string, (int Bytes, string Type)> s_named = new Dictionary<string, (int, string)>
@@ -151,7 +151,7 @@ namespace FastPoints.Sources
 
         public string UnknownAttribute { get; private set; }
 
-        Potree1Index(JsonMembers json, string version, BoundsGeo box) : base(json, version, box)
+        Potree1Metadata(JsonMembers json, string version, BoundsGeo box) : base(json, version, box)
         {
             Scale = UsableScale(json.Number("scale"), json).x;
             Info.Transform.Scale = Scale;
@@ -166,13 +166,13 @@ namespace FastPoints.Sources
             AddFacts(json);
         }
 
-        public static Potree1Index Read(JsonMembers json)
+        public static Potree1Metadata Read(JsonMembers json)
         {
             string version = json.Text("version", "");
             if (!TryMinor(version, out int minor) || minor < 4 || minor > 8)
                 throw PointCloudException.Wanted(FailureCode.Unsupported, json.Path, -1, "version of cloud.js", "1.4 to 1.8",
                     version.Length > 0 ? version : "none");
-            return new Potree1Index(json, version, Box(json.Object("boundingBox")));
+            return new Potree1Metadata(json, version, Box(json.Object("boundingBox")));
         }
 
         void ReadAttributes(JsonMembers json)

@@ -9,9 +9,9 @@ namespace FastPoints.Rendering
 {
     /// <summary>The points of one cloud for effects: those that the cameras' pictures have, unpacked on the graphics card into
     /// one buffer, whose content changes in <see cref="Update"/> alone. Shaders include
-    /// <c>Packages/com.fastpoints.dots/Shaders/PointCloudBuffers.hlsl</c> and call <c>FastPoints_Load(i, position, color)</c>.
+    /// <c>Packages/com.fastpoints.dots/Shaders/GatheredPoints.hlsl</c> and call <c>FastPoints_Load(i, position, color)</c>.
     /// Nothing is allocated before the first update. Main thread, no garbage.</summary>
-    public sealed class PointCloudBuffers : IDisposable
+    public sealed class GatheredPoints : IDisposable
     {
         /// <summary>Of a point in <see cref="Points"/>: three floats, from <see cref="OriginWorld"/> along the world's axes, and
         /// a colour in sRGB, red in the lowest byte, whose alpha is 0 where a clip box or a hidden class takes the point
@@ -29,12 +29,12 @@ namespace FastPoints.Rendering
         int m_kernel; // -1 where the device cannot run it.
         SizeTree m_sizes;
         DrawList m_list;
-        ListBuffer m_lists;
+        ListBuffer m_listBuffer;
         CommandBuffer m_commands;
         int m_cloud;
 
         /// <param name="maxPoints">Of more points an even share is kept; 1 to <see cref="MaxPointsLimit"/>.</param>
-        public PointCloudBuffers(int maxPoints)
+        public GatheredPoints(int maxPoints)
         {
             if (maxPoints < 1 || maxPoints > MaxPointsLimit)
                 throw new ArgumentOutOfRangeException(nameof(maxPoints), maxPoints, "wanted 1 to " + MaxPointsLimit);
@@ -71,7 +71,7 @@ namespace FastPoints.Rendering
         {
             shader.SetBuffer(kernel, ShaderNames.EffectPoints, Gathered);
             shader.SetInt(ShaderNames.EffectPointCount, Count);
-            shader.SetVector(ShaderNames.EffectOrigin, Origin);
+            shader.SetVector(ShaderNames.EffectOrigin, OriginAndIsLinear);
         }
 
         /// <summary>The same for what draws with these properties.</summary>
@@ -79,7 +79,7 @@ namespace FastPoints.Rendering
         {
             properties.SetBuffer(ShaderNames.EffectPoints, Gathered);
             properties.SetInteger(ShaderNames.EffectPointCount, Count);
-            properties.SetVector(ShaderNames.EffectOrigin, Origin);
+            properties.SetVector(ShaderNames.EffectOrigin, OriginAndIsLinear);
         }
 
         /// <summary>Frees the buffer.</summary>
@@ -87,10 +87,10 @@ namespace FastPoints.Rendering
         {
             Points?.Dispose();
             m_list?.Dispose();
-            m_lists?.Dispose();
+            m_listBuffer?.Dispose();
             m_sizes?.Dispose();
             m_commands?.Dispose();
-            (Points, m_list, m_lists, m_sizes, m_commands, Count) = (null, null, null, null, null, 0);
+            (Points, m_list, m_listBuffer, m_sizes, m_commands, Count) = (null, null, null, null, null, 0);
         }
 
         bool HasKernel()
@@ -104,7 +104,7 @@ namespace FastPoints.Rendering
 
         GraphicsBuffer Gathered => Points ?? throw new InvalidOperationException("no points are gathered yet: see Update");
 
-        Vector4 Origin => new Vector4((float)OriginWorld.x, (float)OriginWorld.y, (float)OriginWorld.z,
+        Vector4 OriginAndIsLinear => new Vector4((float)OriginWorld.x, (float)OriginWorld.y, (float)OriginWorld.z,
             QualitySettings.activeColorSpace == ColorSpace.Linear ? 1 : 0);
 
         void Gather(StreamContext stream, int cloud, in CloudLook look, double3 originWorld)
@@ -112,7 +112,7 @@ namespace FastPoints.Rendering
             Points ??= new GraphicsBuffer(GraphicsBuffer.Target.Structured, m_maxPoints, BytesPerPoint);
             m_sizes ??= new SizeTree();
             m_list ??= new DrawList(m_sizes);
-            m_lists ??= new ListBuffer();
+            m_listBuffer ??= new ListBuffer();
             m_commands ??= new CommandBuffer { name = "Gather points" };
             m_list.SetLook(m_cloud, s_noLook);
             m_list.SetLook(m_cloud = cloud, look);
@@ -130,8 +130,8 @@ namespace FastPoints.Rendering
 
         void Record(int keptShare, GraphicsNodePool pool)
         {
-            m_lists.Write(m_commands, m_list);
-            m_lists.Set(m_commands, m_gather, m_kernel);
+            m_listBuffer.Write(m_commands, m_list);
+            m_listBuffer.Set(m_commands, m_gather, m_kernel);
             m_commands.SetComputeBufferParam(m_gather, m_kernel, ShaderNames.EffectPointsOut, Points);
             m_commands.SetComputeIntParam(m_gather, ShaderNames.ClipBoxCount, m_list.ClipBoxes.Length);
             m_commands.SetComputeIntParam(m_gather, ShaderNames.KeptShare, keptShare);

@@ -10,18 +10,19 @@ namespace FastPoints.Picture
 {
     /// <summary>Makes a first picture of an open source: finds the blocks if necessary, takes a sample, measures and draws it.
     /// If finding blocks takes a pass over the whole file, waves from prefixes come before that.</summary>
-    public sealed class PreviewCloud : IDisposable
+    public sealed class PreviewPicture : IDisposable
     {
         readonly PointReader m_reader;
         readonly PreviewOptions m_options;
         readonly PreviewSampling m_sampling;
 
-        public PreviewCloud(PointReader reader, PreviewOptions options)
+        public PreviewPicture(PointReader reader, PreviewOptions options)
         {
             m_reader = reader;
             m_options = options;
             var info = reader.Info;
-            info.AlsoSampled = info.AlsoSampled.Union(options.Picture.AttributesToMeasure().Where(info.Schema.Has)).ToArray();
+            info.ExtraSampledAttributes = info.ExtraSampledAttributes
+                .Union(options.Picture.AttributesToMeasure().Where(info.Schema.Has)).ToArray();
             m_sampling = new PreviewSampling(reader, options);
         }
 
@@ -84,8 +85,8 @@ namespace FastPoints.Picture
             if (m_options.Points > max && Sample.PointsInSource > max)
                 Plan.Assumptions.Add("a sample of " + m_options.Points + " points does not fit in its memory: lowered to " +
                     max);
-            if (Sample.NonFinite > 0)
-                Plan.Assumptions.Add(Sample.NonFinite + " points of the sample have no finite position: left out");
+            if (Sample.NonFiniteCount > 0)
+                Plan.Assumptions.Add(Sample.NonFiniteCount + " points of the sample have no finite position: left out");
         }
 
         IEnumerator<JobStep> MeasureSample()
@@ -97,7 +98,7 @@ namespace FastPoints.Picture
         public void Dispose() => m_sampling.Dispose();
     }
 
-    /// <summary>Options of a <see cref="PreviewCloud"/>.</summary>
+    /// <summary>Options of a <see cref="PreviewPicture"/>.</summary>
     public sealed class PreviewOptions : SampleOptions
     {
         public PictureOptions Picture = new PictureOptions();

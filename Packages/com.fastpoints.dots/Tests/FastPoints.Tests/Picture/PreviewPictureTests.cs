@@ -10,7 +10,7 @@ using Unity.Mathematics;
 namespace FastPoints.Tests.Picture
 {
     [Category("Smoke")]
-    public class PreviewCloudTests
+    public class PreviewPictureTests
     {
         [Test]
         public void WaveReady_BlocksReadDeeper_IsCalledForEachWave()
@@ -20,7 +20,7 @@ namespace FastPoints.Tests.Picture
                 for (int axis = 0; axis < 3; axis++)
                     TestBatches.Set(batch, axis, i, axis == 2 ? 0 : axis == 1 ? i / 800 : i % 800);
             using var reader = new MemoryPointReader(batch, 10_000, fixedStride: false);
-            using var preview = new PreviewCloud(reader, new PreviewOptions { Points = 200_000 });
+            using var preview = new PreviewPicture(reader, new PreviewOptions { Points = 200_000 });
             var waves = new List<SampleWave>();
             preview.WaveReady += (sample, wave) =>
             {
@@ -49,17 +49,17 @@ namespace FastPoints.Tests.Picture
             return positions;
         }
 
-        static PreviewCloud Draw(PointBatch batch, double metresPerUnit = 0)
+        static PreviewPicture Draw(PointBatch batch, double metresPerUnit = 0)
         {
             using var reader = new MemoryPointReader(batch, 1000, fixedStride: false);
             reader.Info.Crs.MetresPerUnit = metresPerUnit;
-            var preview = new PreviewCloud(reader, new PreviewOptions { Points = 10_000 });
+            var preview = new PreviewPicture(reader, new PreviewOptions { Points = 10_000 });
             JobCoroutine.RunToEnd(preview.Run(new StageProgress()));
             return preview;
         }
 
         /// <summary>Pixels that can be told from the background, of 1280 x 720.</summary>
-        static int LitPx(PreviewCloud preview)
+        static int LitPx(PreviewPicture preview)
         {
             uint background = new PictureOptions().Background;
             int lit = 0;

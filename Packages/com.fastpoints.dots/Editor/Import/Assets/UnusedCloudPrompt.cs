@@ -10,13 +10,13 @@ namespace FastPoints.Editor
     /// <summary>When the user deletes the last asset of a converted cloud, asks whether to delete its data too: once
     /// for all that are deleted together. Assets deleted in other ways, as by a change of branches, keep their
     /// data.</summary>
-    internal sealed class CloudLeftovers
+    internal sealed class UnusedCloudPrompt
     {
         readonly EditorImports m_imports;
         readonly List<string> m_deleting = new List<string>();
         readonly List<string> m_unusedClouds = new List<string>();
 
-        public CloudLeftovers(EditorImports imports) => m_imports = imports;
+        public UnusedCloudPrompt(EditorImports imports) => m_imports = imports;
 
         public void OnWillDelete(string path)
         {
@@ -43,7 +43,7 @@ namespace FastPoints.Editor
                 return;
             foreach (string cloud in m_unusedClouds)
                 if (!CloudFolder.IsCloud(cloud) && m_imports.Assets.Of(cloud).Count == 0 &&
-                    m_imports.Queue.RequestFor(cloud) is { } request)
+                    m_imports.Queue.RequestOfCloud(cloud) is { } request)
                     m_imports.Queue.Cancel(request);
             var clouds = m_unusedClouds.FindAll(c => CloudFolder.IsCloud(c) && m_imports.Assets.Of(c).Count == 0 &&
                 string.Equals(Path.GetDirectoryName(c), m_imports.Paths.Clouds, StringComparison.OrdinalIgnoreCase));
@@ -58,7 +58,7 @@ namespace FastPoints.Editor
         {
             try
             {
-                if (m_imports.Queue.RequestFor(cloud) is { } request)
+                if (m_imports.Queue.RequestOfCloud(cloud) is { } request)
                     m_imports.Queue.Cancel(request);
                 CloudCatalog.Delete(cloud);
             }
@@ -76,7 +76,7 @@ namespace FastPoints.Editor
         static AssetDeleteResult OnWillDeleteAsset(string path, RemoveAssetOptions options)
         {
             if (!Application.isBatchMode)
-                PointCloudImports.Current.Leftovers.OnWillDelete(path);
+                PointCloudImports.Current.UnusedClouds.OnWillDelete(path);
             return AssetDeleteResult.DidNotDelete;
         }
     }
