@@ -15,9 +15,7 @@ namespace FastPoints.Queries
     internal sealed class PointPicker : IDisposable
     {
         const int SlotCount = 8; // Nodes and tables that are read at the same time.
-
-        // Tables of chunks are kept between searches up to this size.
-        const long MaxHierarchyBytes = 64 << 20;
+        const long MaxHierarchyBytes = 64 << 20; // Tables of chunks are kept between searches up to this size.
 
         readonly StreamedCloud m_cloud;
         readonly PickQueue m_queue = new PickQueue();
@@ -179,7 +177,7 @@ namespace FastPoints.Queries
         // Whether there is more to do before it can be ended.
         bool BeginTaken(NativeArray<LocalClip> clips)
         {
-            bool hasMore = Source.TranscodesNodes;
+            bool hasMore = false;
             var search = new PickNodeJob
             {
                 Hidden = m_classPlane >= 0 ? m_options.HiddenClasses : default,
@@ -198,7 +196,7 @@ namespace FastPoints.Queries
                     m_slots[i].BeginPage();
                 else
                     m_slots[i].BeginNode(search, m_classPlane, m_options.MaxHits);
-                hasMore |= m_taken[i].IsPage || Source.RemoteOf(m_taken[i].Page) != null;
+                hasMore |= m_slots[i].HasMore;
                 m_result.BytesRead += m_slots[i].Bytes;
             }
             return hasMore;
@@ -308,8 +306,6 @@ namespace FastPoints.Queries
         // Nothing below a node is searched if its points lie nearer to each other than this share of the ray's radius: a screen
         // shows no more. 0 searches every point.
         public double FinestSpacingShare = 0.1;
-
-        // A search that has read this many bytes ends with what it has found.
-        public long MaxBytes = 256 << 20;
+        public long MaxBytes = 256 << 20; // A search that has read this many bytes ends with what it has found.
     }
 }

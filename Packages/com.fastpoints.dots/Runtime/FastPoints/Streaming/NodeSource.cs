@@ -38,6 +38,12 @@ namespace FastPoints.Streaming
         /// about files and tables have no meaning.</summary>
         public virtual bool TranscodesNodes => false;
 
+        // Whether it shows the same nodes as another, so that the same of them are chosen.
+        internal virtual bool HasNodesOf(NodeSource other) => false;
+
+        // Of one node: where some of what lies in files was edited.
+        internal virtual bool Transcodes(int page, int node) => TranscodesNodes;
+
         /// <summary>Creates the boxes of all pages and the nodes of the first one. The caller frees the pages.</summary>
         public abstract unsafe void CreatePages(HierarchyPage* pages);
 
@@ -77,9 +83,7 @@ namespace FastPoints.Streaming
         internal virtual RemoteFile RemoteOf(int page) => null;
 
         internal virtual RemoteFile RemoteOfTable(int page) => null;
-
-        // Seconds until a web server's answer begins; 0 for files.
-        internal virtual double RoundTrip => 0;
+        internal virtual double RoundTrip => 0; // Seconds until a web server's answer begins; 0 for files.
 
         // A web server did not give what was wanted: the cloud may be another by now.
         internal virtual void MarkStale() { }

@@ -25,15 +25,19 @@ namespace FastPoints.Drawing
             }
         }
 
-        // A state was found and still exists.
-        public bool IsFound => m_generations.IsFound;
+        public bool IsFound => m_generations.IsFound; // A state was found and still exists.
 
         public override bool IsEnded => !m_generations.IsFollowing && IsIdle;
         internal override bool IsIdle => m_generations.IsIdle;
         public override bool IsBuildAborted => m_generations.IsDeleted;
 
         public override NodeSource Take(params string[] planes) =>
-            new FolderSource(m_generations.Take(), planes) { MarkedStale = m_generations.MarkStale };
+            new FolderSource(m_generations.Take(), planes)
+            {
+                MarkedStale = m_generations.MarkStale,
+                Edits = m_generations.Edits,
+                Refused = m_generations.Refused,
+            };
 
         public void Skip() => m_generations.Take()?.Dispose();
 

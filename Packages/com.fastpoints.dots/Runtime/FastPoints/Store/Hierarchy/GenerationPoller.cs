@@ -9,12 +9,12 @@ namespace FastPoints.Store
     {
         // By time, not by frames: an idle editor may draw none.
         public static readonly TimeSpan PollInterval = TimeSpan.FromSeconds(1);
-
-        // For a moment after a build, neither it nor its result may exist.
-        const int MissesUntilDeleted = 2;
+        const int MissesUntilDeleted = 2; // For a moment after a build, neither it nor its result may exist.
 
         readonly string m_path;
         CloudManifest m_known; // Of the generation that was kept last.
+        ulong m_knownEdits; // Their hash; 0 for none.
+        int m_writes = EditJournal.Writes; // Before they were read.
         PoolTask<Poll> m_polling;
         CloudFolder m_newest;
         long m_lastPoll = Stopwatch.GetTimestamp();
@@ -25,18 +25,25 @@ namespace FastPoints.Store
         struct Poll
         {
             public bool Exists;
-
-            // It exists, but could not be opened.
-            public bool HasFailed;
+            public bool HasFailed; // It exists, but could not be opened.
 
             // Null if there is no newer one, or if it cannot be opened at this moment.
             public CloudFolder Newer;
+            public Edited Edits;
+        }
+
+        // What is to be applied to a cloud, or why nothing is.
+        struct Edited
+        {
+            public EditPlan Plan;
+            public ulong Hash;
+            public PointCloudException Refused;
         }
 
         // Takes ownership of the folder, which is also the first that Take returns.
         public GenerationPoller(CloudFolder first) : this(first.FolderPath)
         {
-            Keep(first);
+            Keep(first, EditsOf(first));
         }
 
         // The folder may not exist yet. The path may have the suffix of an unfinished folder.
@@ -51,16 +58,22 @@ namespace FastPoints.Store
         public bool IsFound { get; private set; }
         public bool IsBuilding { get; private set; }
 
-        // The build was aborted, or the folder was deleted.
-        public bool IsDeleted => m_misses >= MissesUntilDeleted;
+        public bool IsDeleted => m_misses >= MissesUntilDeleted; // The build was aborted, or the folder was deleted.
 
         // No poll is requested or in flight, and no generation waits to be taken.
-        public bool IsIdle => m_polling == null && m_newest == null && !m_isRequested;
+        public bool IsIdle => m_polling == null && m_newest == null && !IsRequested;
 
-        // Looks again once a second.
-        public bool IsFollowing => IsBuilding || m_isStale;
+        bool IsRequested => m_isRequested || m_writes != EditJournal.Writes;
+
+        public bool IsFollowing => IsBuilding || m_isStale; // Looks again once a second.
 
         public CloudFolder Newest => m_newest;
+
+        // Of the generation that was kept last, as it was opened; null for none.
+        public EditPlan Edits { get; private set; }
+
+        // Why its edits are not applied, or null.
+        public PointCloudException Refused { get; private set; }
 
         public CloudFolder Take()
         {
@@ -86,12 +99,13 @@ namespace FastPoints.Store
                 m_misses = seen.Exists ? 0 : IsBuilding ? m_misses + 1 : MissesUntilDeleted;
                 m_isStale |= seen.HasFailed && SourcePath.IsRemote(m_path);
                 if (seen.Newer != null)
-                    Keep(seen.Newer);
+                    Keep(seen.Newer, seen.Edits);
             }
-            if (m_polling != null || m_newest != null || !m_isRequested && !(IsFollowing && IsPollDue))
+            if (m_polling != null || m_newest != null || !IsRequested && !(IsFollowing && IsPollDue))
                 return;
             m_lastPoll = Stopwatch.GetTimestamp();
             m_isRequested = m_isStale = false;
+            m_writes = EditJournal.Writes;
             BeginPoll();
         }
 
@@ -102,8 +116,9 @@ namespace FastPoints.Store
         {
             string path = m_path;
             var known = m_known;
+            ulong edits = m_knownEdits;
             bool wasBuilding = IsBuilding;
-            m_polling = PoolTask.Begin(path, () => PollFolder(path, known, wasBuilding));
+            m_polling = PoolTask.Begin(path, () => PollFolder(path, known, edits, wasBuilding));
         }
 
         public void Dispose()
@@ -115,7 +130,7 @@ namespace FastPoints.Store
             IsBuilding = m_isStale = false;
         }
 
-        static Poll PollFolder(string path, CloudManifest known, bool wasBuilding)
+        static Poll PollFolder(string path, CloudManifest known, ulong edits, bool wasBuilding)
         {
             var look = new Poll { Exists = CloudFolder.IsCloud(path) };
             if (!look.Exists)
@@ -127,9 +142,11 @@ namespace FastPoints.Store
                 folder = CloudFolder.Open(path);
                 var manifest = folder.Manifest;
                 bool isOther = known == null || manifest.CloudId != known.CloudId;
+                look.Edits = EditsOf(folder);
                 // A finished cloud under its temporary name is about to be renamed: wait for that.
                 bool isNewer = manifest.IsBuilding ? isOther || manifest.Generation > known.Generation
-                    : !folder.IsUnfinished && (wasBuilding || isOther || manifest.RootHash != known.RootHash);
+                    : !folder.IsUnfinished && (wasBuilding || isOther || manifest.RootHash != known.RootHash ||
+                        look.Edits.Hash != edits);
                 if (isNewer)
                 {
                     look.Newer = folder;
@@ -145,8 +162,23 @@ namespace FastPoints.Store
             return look;
         }
 
-        void Keep(CloudFolder folder)
+        // A cloud is shown without edits that are damaged, or of another cloud.
+        static Edited EditsOf(CloudFolder folder)
         {
+            try
+            {
+                var plan = folder.IsUnfinished ? null : EditPlan.Of(folder.FolderPath, folder.Manifest);
+                return new Edited { Plan = plan, Hash = plan?.Hash ?? 0 };
+            }
+            catch (PointCloudException refused)
+            {
+                return new Edited { Refused = refused };
+            }
+        }
+
+        void Keep(CloudFolder folder, Edited edits)
+        {
+            (Edits, m_knownEdits, Refused) = (edits.Plan, edits.Hash, edits.Refused);
             m_newest = folder;
             IsFound = true;
             m_known = folder.Manifest;
