@@ -42,13 +42,16 @@ namespace FastPoints.Queries
         public bool TryContinueReads() =>
             m_first.IsFetched && m_classes.IsFetched && (!m_isTranscoding || m_transcoder.TryDecode());
 
+        // Whether Continue has something to do when it is.
+        public bool HasMore => m_candidate.IsPage || m_isTranscoding || Source.RemoteOf(m_candidate.Page) != null;
+
         public long Bytes { get; private set; }
 
         // False if the node needs a transcoder and all are busy.
         public unsafe bool TryTake(in PickCandidate candidate)
         {
             m_candidate = candidate;
-            if (candidate.IsPage || !Source.TranscodesNodes)
+            if (candidate.IsPage || !Source.Transcodes(candidate.Page, candidate.Node))
                 return true;
             m_transcoder = Source.RentTranscoder(m_cloud.Pages[candidate.Page].Nodes[candidate.Node].PointCount);
             return m_transcoder != null;
@@ -209,6 +212,8 @@ namespace FastPoints.Queries
         {
             m_isTranscoding = false;
             m_transcoder.EndOrThrow();
+            int points = 0;
+            m_transcoder.Made(ref m_job.BlockCount, ref points);
             m_job.Positions = m_transcoder.PlaneOf(StoreLayout.PositionPlane);
             m_job.Classes = m_transcoder.PlaneOf(m_classPlane);
             Done = m_job.Schedule();

@@ -59,7 +59,7 @@ namespace FastPoints.Streaming
                     continue;
                 }
                 var node = page->Nodes + best.Node;
-                int cost = page->IsHole(best.Node) ? 0 : node->PointCount;
+                int cost = page->IsHole(best.Node) || cloud.IsReplacement ? 0 : node->PointCount;
                 if (points > 0 && points + cost > Settings.PointBudget)
                     break;
                 if (best.IsForLight && (pointsForLight += cost) > Settings.PointBudget * LightShare)
@@ -192,6 +192,7 @@ namespace FastPoints.Streaming
     {
         public HierarchyPage* Pages; // All pages known so far.
         public int Cloud;
+        public bool IsReplacement;
         public double3 CubeSize; // Size of the root cube, in units of each axis.
     }
 }
