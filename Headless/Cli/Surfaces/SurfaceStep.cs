@@ -25,7 +25,10 @@ sealed class SurfaceStep : IDisposable
         m_grid = grid;
         m_run = run;
         m_mesh = new SurfaceMesh(grid);
-        m_cells = new StoredCells(m_folder, grid, default, null, [.. filter?.Attributes ?? []]);
+        m_cells = new StoredCells(m_folder, grid, default, null, [.. filter?.Attributes ?? []])
+        {
+            Edits = EditPlan.Of(cloud, m_folder.Manifest),
+        };
         if (filter != null)
             m_cells.Prepare = batch => Filter(filter, batch);
     }

@@ -3,7 +3,7 @@ using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Editor;
 
-public sealed class MeasureTests : ScratchTests
+public sealed partial class MeasureTests : ScratchTests
 {
     string m_path;
     CloudFolder m_folder;

@@ -50,6 +50,9 @@ public sealed class EditorGUILayout
     public static Object ObjectField(string label, Object obj, Type objType, bool allowSceneObjects,
         params GUILayoutOption[] options) => Placed(obj);
 
+    public static int IntField(string label, int value, params GUILayoutOption[] options) => Placed(value);
+    public static float FloatField(string label, float value, params GUILayoutOption[] options) => Placed(value);
+    public static Color ColorField(string label, Color value, params GUILayoutOption[] options) => Placed(value);
     public static string DelayedTextField(GUIContent label, string text, params GUILayoutOption[] options) => Placed(text);
     public static Enum EnumPopup(GUIContent label, Enum selected, params GUILayoutOption[] options) => Placed(selected);
 

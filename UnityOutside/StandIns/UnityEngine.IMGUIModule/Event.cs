@@ -4,6 +4,7 @@ public enum EventType
 {
     MouseDown = 0,
     MouseUp = 1,
+    MouseDrag = 3,
     KeyDown = 4,
     Repaint = 7,
     Layout = 8,

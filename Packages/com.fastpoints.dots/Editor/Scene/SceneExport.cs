@@ -29,7 +29,7 @@ namespace FastPoints.Editor
         [MenuItem(Menu, true, 30)]
         static bool CanExport() => Selected != null;
 
-        static PointCloud Selected =>
+        internal static PointCloud Selected =>
             Selection.activeObject is GameObject selected ? selected.GetComponent<PointCloud>() : null;
 
         /// <returns>The file, which is there when the export has ended; null if it cannot begin, which is logged.</returns>
@@ -64,7 +64,7 @@ namespace FastPoints.Editor
         }
 
         /// <summary>The cloud as it is streamed; null if it is not.</summary>
-        static StreamedCloud FindStreamed(PointCloud cloud, out ClipBox[] clips)
+        internal static StreamedCloud FindStreamed(PointCloud cloud, out ClipBox[] clips)
         {
             clips = null;
             var group = PointCloudSystemGroup.ObjectGroup;

@@ -46,7 +46,8 @@ namespace FastPoints.Surface
         JobCoroutine m_making;
 
         /// <param name="folder">Is owned from now on.</param>
-        public FollowedSurface(CloudFolder folder, in SurfaceGrid grid, ClassMask hidden, PointCloud cloud)
+        /// <param name="edits">Null for the cloud as it is stored.</param>
+        public FollowedSurface(CloudFolder folder, EditPlan edits, in SurfaceGrid grid, ClassMask hidden, PointCloud cloud)
         {
             (m_folder, m_grid, m_hidden, m_cloud, m_parent) = (folder, grid, hidden, cloud, cloud.transform);
             (m_boundsGeo, m_units) = (folder.Manifest.BoundsGeo, folder.Manifest.Crs.Units);
@@ -55,7 +56,7 @@ namespace FastPoints.Surface
             m_rootGeo = folder.Manifest.Grid.ToGeo(folder.Manifest.Root.Corner);
             space.Up.Directions(out var east, out var north, out var up);
             m_fromCloud = math.transpose(new double3x3(east, up, north));
-            m_points = new StoredCells(folder, grid, hidden, m_scale) { PointsPerBatch = PointsPerBatch };
+            m_points = new StoredCells(folder, grid, hidden, m_scale) { PointsPerBatch = PointsPerBatch, Edits = edits };
             m_builder = new SurfaceBuilder(grid, (float3)up);
             Cells = new SurfaceCells(grid, collider => Return(collider, null));
         }

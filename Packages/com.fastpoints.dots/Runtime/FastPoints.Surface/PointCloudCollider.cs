@@ -49,10 +49,11 @@ namespace FastPoints.Surface
         public float FrameMs = 0.5f;
 
         PointCloud m_cloud;
-        PoolTask<CloudFolder> m_opening;
+        PoolTask<(CloudFolder Folder, EditPlan Edits)> m_opening;
         PointCloudAsset m_openedCloud;
         string m_openedPath;
         double m_retryAt;
+        int m_edits = EditJournal.Writes;
 
         internal FollowedSurface Surface { get; private set; }
 
@@ -102,8 +103,9 @@ namespace FastPoints.Surface
             double now = Time.realtimeSinceStartupAsDouble;
             try
             {
-                if (m_openedCloud != m_cloud.Cloud || m_openedPath != m_cloud.Path)
+                if (m_openedCloud != m_cloud.Cloud || m_openedPath != m_cloud.Path || m_edits != EditJournal.Writes)
                     Reopen();
+                m_edits = EditJournal.Writes;
                 if (Surface == null ? TryOpen(now) : Follow(now))
                     Error = null;
             }
@@ -132,24 +134,33 @@ namespace FastPoints.Surface
             {
                 string path = m_cloud.FullPath;
                 (m_openedCloud, m_openedPath) = (m_cloud.Cloud, m_cloud.Path);
-                m_opening = PoolTask.Begin(path, () => Open(path), unwanted => unwanted.Dispose());
+                m_opening = PoolTask.Begin(path, () => Open(path), unwanted => unwanted.Folder.Dispose());
             }
             if (m_opening == null || !m_opening.IsDone)
                 return false;
             var opening = m_opening;
             m_opening = null;
-            Surface = new FollowedSurface(opening.Take(), Grid, ClassMask.Of(HiddenClasses), m_cloud);
+            var opened = opening.Take();
+            Surface = new FollowedSurface(opened.Folder, opened.Edits, Grid, ClassMask.Of(HiddenClasses), m_cloud);
             return true;
         }
 
         SurfaceGrid Grid => new SurfaceGrid(math.max(0.001, VoxelSize), CellVoxels,
             (float)math.clamp(HoleSize / math.max(0.001, VoxelSize), 0, SurfaceGrid.MaxHoleVoxels));
 
-        static CloudFolder Open(string path)
+        static (CloudFolder Folder, EditPlan Edits) Open(string path)
         {
             var folder = CloudFolder.IsCloud(path) ? CloudFolder.Open(path) : null;
-            if (folder != null && !folder.IsUnfinished)
-                return folder;
+            try
+            {
+                if (folder != null && !folder.IsUnfinished)
+                    return (folder, EditPlan.Of(path, folder.Manifest));
+            }
+            catch
+            {
+                folder.Dispose();
+                throw;
+            }
             folder?.Dispose();
             throw new PointCloudException(FailureCode.Unsupported, path, -1, "colliders are made of whole converted clouds: " +
                 (folder == null ? "wanted a folder with " + StoreFormat.ManifestName : "this one is still being converted"));

@@ -95,13 +95,7 @@ namespace FastPoints.Export
             var reader = Open(path);
             try
             {
-                var operations = EditJournal.Read(path, reader.Manifest.CloudId).Applied;
-                if (added != null)
-                    operations.Add(added);
-                foreach (var operation in operations)
-                    if (EditPlan.FindProblem(operation, reader.Manifest) is string problem)
-                        throw new PointCloudException(FailureCode.Unsupported, path, -1, problem);
-                reader.Edits = operations.Count > 0 ? new EditPlan(operations, reader.Manifest) : null;
+                reader.Edits = EditPlan.Of(path, reader.Manifest, added);
                 return reader;
             }
             catch

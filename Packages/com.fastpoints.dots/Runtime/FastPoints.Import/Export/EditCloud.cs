@@ -59,6 +59,21 @@ namespace FastPoints.Export
                 : journal.TryRedo() ? journal.Operations[journal.Count - 1] : null;
         }
 
+        /// <summary>Undoes, or does again, until so many operations are applied. Not for a main thread.</summary>
+        /// <param name="count">Negative to change nothing.</param>
+        /// <returns>How many are: fewer if there are no more.</returns>
+        public static int MoveTo(string cloud, int count)
+        {
+            ulong id;
+            using (var folder = CloudFolder.Open(cloud))
+                id = folder.Manifest.CloudId;
+            using var held = Lock(cloud);
+            var journal = EditJournal.Read(cloud, id);
+            while (count >= 0 && journal.Count > count && journal.TryUndo()) { }
+            while (journal.Count < count && journal.TryRedo()) { }
+            return journal.Count;
+        }
+
         static bool Write(string cloud, ulong cloudId, EditOperation operation)
         {
             EditJournal.Read(cloud, cloudId).Add(operation);

@@ -49,7 +49,7 @@ namespace FastPoints.Queries
         {
             var source = cloud.Source;
             var found = cloud.Pages[node.Page].Nodes[node.Node];
-            if (source.TranscodesNodes && (m_transcoder = source.RentTranscoder(found.PointCount)) == null)
+            if (source.Transcodes(node.Page, node.Node) && (m_transcoder = source.RentTranscoder(found.PointCount)) == null)
                 return false;
             m_cloud = cloud;
             m_node = new CopiedNode

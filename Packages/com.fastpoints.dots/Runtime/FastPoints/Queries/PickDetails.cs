@@ -17,6 +17,8 @@ namespace FastPoints.Queries
         PickHit m_hit;
         NodeTranscoder m_transcoder;
         bool m_isTranscoding;
+        bool m_isTranscoded;
+        int m_blockCount;
         JobHandle m_done;
 
         sealed class Plane
@@ -53,7 +55,9 @@ namespace FastPoints.Queries
         {
             m_hit = hit;
             m_done = default;
-            if (Source.TranscodesNodes)
+            m_blockCount = m_cloud.Pages[hit.Page].Nodes[hit.Node].BlockCount;
+            m_isTranscoded = Source.Transcodes(hit.Page, hit.Node);
+            if (m_isTranscoded)
             {
                 m_transcoder ??= Source.CreateFullTranscoder();
                 m_transcoder.Begin(m_cloud.Pages[hit.Page], hit.Node);
@@ -83,6 +87,8 @@ namespace FastPoints.Queries
                 return;
             m_isTranscoding = false;
             m_transcoder.EndOrThrow();
+            int points = 0;
+            m_transcoder.Made(ref m_blockCount, ref points);
             m_done = default;
             foreach (var plane in m_planes)
                 Schedule(plane, m_transcoder.PlaneOf(plane.Number), 0, default);
@@ -143,8 +149,8 @@ namespace FastPoints.Queries
                 Plane = bytes,
                 Shape = plane.Layout.Shape,
                 Hash = hash,
-                IsTranscoded = Source.TranscodesNodes,
-                BlockCount = m_cloud.Pages[m_hit.Page].Nodes[m_hit.Node].BlockCount,
+                IsTranscoded = m_isTranscoded,
+                BlockCount = m_blockCount,
                 Block = m_hit.Block,
                 Index = m_hit.Index,
                 Values = plane.Values,

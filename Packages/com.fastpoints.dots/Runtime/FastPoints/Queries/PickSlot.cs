@@ -40,6 +40,9 @@ namespace FastPoints.Queries
         // Whether what Done leads to may be used: what is on a web server comes by itself.
         public bool IsFetched => m_first.IsFetched && m_classes.IsFetched && (!m_isTranscoding || m_transcoder.IsFetched);
 
+        // Whether Continue has something to do when it is.
+        public bool HasMore => m_candidate.IsPage || m_isTranscoding || Source.RemoteOf(m_candidate.Page) != null;
+
         // Bytes of the last read.
         public long Bytes { get; private set; }
 
@@ -47,7 +50,7 @@ namespace FastPoints.Queries
         public unsafe bool TryTake(in PickCandidate candidate)
         {
             m_candidate = candidate;
-            if (candidate.IsPage || !Source.TranscodesNodes)
+            if (candidate.IsPage || !Source.Transcodes(candidate.Page, candidate.Node))
                 return true;
             m_transcoder = Source.RentTranscoder(m_cloud.Pages[candidate.Page].Nodes[candidate.Node].PointCount);
             return m_transcoder != null;
@@ -209,6 +212,8 @@ namespace FastPoints.Queries
         {
             m_isTranscoding = false;
             m_transcoder.EndOrThrow();
+            int points = 0;
+            m_transcoder.Made(ref m_job.BlockCount, ref points);
             m_job.Positions = m_transcoder.PlaneOf(StoreLayout.PositionPlane);
             m_job.Classes = m_transcoder.PlaneOf(m_classPlane);
             Done = m_job.Schedule();

@@ -180,7 +180,7 @@ namespace FastPoints.Queries
         // Whether there is more to do before it can be ended.
         bool BeginTaken(NativeArray<LocalClip> clips)
         {
-            bool hasMore = Source.TranscodesNodes;
+            bool hasMore = false;
             var search = new PickNodeJob
             {
                 Hidden = m_classPlane >= 0 ? m_options.HiddenClasses : default,
@@ -199,7 +199,7 @@ namespace FastPoints.Queries
                     m_slots[i].BeginPage();
                 else
                     m_slots[i].BeginNode(search, m_classPlane, m_options.MaxHits);
-                hasMore |= m_taken[i].IsPage || Source.RemoteOf(m_taken[i].Page) != null;
+                hasMore |= m_slots[i].HasMore;
                 m_result.BytesRead += m_slots[i].Bytes;
             }
             return hasMore;

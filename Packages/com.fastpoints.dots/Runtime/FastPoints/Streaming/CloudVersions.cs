@@ -46,6 +46,7 @@ namespace FastPoints.Streaming
             if (Next != None)
                 m_stream.Remove(Next);
             Next = added;
+            m_stream.Clouds[added].IsReplacement = source.HasNodesOf(m_stream.Clouds[Cloud].Source);
             m_nextStage = stage;
         }
 
@@ -87,6 +88,7 @@ namespace FastPoints.Streaming
                 }
             }
             Cloud = next;
+            m_stream.Clouds[next].IsReplacement = false;
             m_stage = m_nextStage;
             return true;
         }
@@ -151,7 +153,10 @@ namespace FastPoints.Streaming
                 if (missing.Cloud == cloud)
                     return false;
             // A cloud out of view has nothing to wait for once a selection has considered it.
-            return shown >= ReadyShare * count && m_stream.Selector.Frame != m_frameAdded;
+            bool isReady = shown >= ReadyShare * count;
+            // Where memory does not hold both, the older one gives way.
+            isReady |= m_stream.Clouds[cloud].IsReplacement && m_stream.Reads.LacksRoom && m_stream.Reads.InFlightCount == 0;
+            return isReady && m_stream.Selector.Frame != m_frameAdded;
         }
     }
 

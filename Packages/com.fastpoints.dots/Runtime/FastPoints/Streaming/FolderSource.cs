@@ -14,6 +14,7 @@ namespace FastPoints.Streaming
         readonly List<ulong[]> m_checked = new List<ulong[]>(); // By page, once registered: see CheckedPlanes.
         NativeArray<int> m_planes;
         NativeArray<PlaneShape> m_shapes;
+        EditedNodes m_edited;
 
         /// <summary>Owns the folder. Streams the position and the named planes, as far as the cloud has them.</summary>
         public FolderSource(CloudFolder folder, params string[] planes)
@@ -44,6 +45,31 @@ namespace FastPoints.Streaming
         /// <summary>The cloud that is streamed.</summary>
         public CloudFolder Folder => m_folder;
 
+        // What is applied to nodes, to be set before pages are made; null if they are shown as stored.
+        internal EditPlan Edits
+        {
+            get => m_edited?.Plan;
+            set => m_edited = value != null ? new EditedNodes(value, m_folder, m_planes) : null;
+        }
+
+        // Why edits are not applied: reported once.
+        internal PointCloudException Refused { get; set; }
+
+        public override PointCloudException Update()
+        {
+            var refused = Refused;
+            Refused = null;
+            return refused;
+        }
+
+        internal override bool HasNodesOf(NodeSource other) => other is FolderSource folder && !m_folder.IsUnfinished &&
+            folder.m_folder.Manifest.RootHash == m_folder.Manifest.RootHash;
+
+        internal override bool Transcodes(int page, int node) => m_edited != null && m_edited.Has(page, node);
+        public override NodeTranscoder RentTranscoder(int points) => m_edited.Rent();
+        public override void ReturnTranscoder(NodeTranscoder transcoder) => m_edited.Return((EditedTranscoder)transcoder);
+        public override NodeTranscoder CreateFullTranscoder() => m_edited.Create();
+
         public override string Path => SourcePath.WithoutQuery(m_folder.FolderPath);
         public override CloudCrs Crs => m_folder.Manifest.Crs;
         public override bool HasAllPoints => !m_folder.IsUnfinished;
@@ -61,7 +87,7 @@ namespace FastPoints.Streaming
                 pages[page] = EmptyPage(page);
             pages[0] = default;
             HierarchyPageBuilding.Build(m_folder.Root.View, m_planes, m_grid, ref pages[0]);
-            Number(0, pages[0]);
+            Number(0, pages[0], m_folder.Root.View);
         }
 
         public override HierarchyPage EmptyPage(int page) => HierarchyPage.OfLink(m_folder.LinkOf(page), m_grid);
@@ -69,7 +95,7 @@ namespace FastPoints.Streaming
         public override void RegisterPage(int page, in HierarchyPage built, NativeArray<byte> table)
         {
             m_folder.Register(page, PageView.Of(table));
-            Number(page, built);
+            Number(page, built, PageView.Of(table));
         }
 
         internal override bool KeepsFilesOpen => !m_folder.IsUnfinished;
@@ -129,11 +155,18 @@ namespace FastPoints.Streaming
         public override IEnumerator<JobStep> OpenForPicking(Action<NodeSource> opened)
         {
             string path = m_folder.FolderPath;
-            return PoolTask.Run<FolderSource>(path, () => OpenWhole(path), opened, unwanted => unwanted.Dispose());
+            var edits = Edits;
+            return PoolTask.Run<FolderSource>(path, () =>
+            {
+                var source = OpenWhole(path);
+                source.Edits = edits;
+                return source;
+            }, opened, unwanted => unwanted.Dispose());
         }
 
         public override void Dispose()
         {
+            m_edited?.Dispose();
             m_folder.Dispose();
             if (!m_planes.IsCreated)
                 return;
@@ -144,8 +177,9 @@ namespace FastPoints.Streaming
         long BitOf(int node, int plane) => (long)node * m_shapes.Length + m_planes[plane];
 
         // Its nodes' pages below, as the folder numbers them.
-        unsafe void Number(int page, in HierarchyPage built)
+        unsafe void Number(int page, in HierarchyPage built, in PageView table)
         {
+            m_edited?.Register(page, built, table);
             for (int n = 0; n < built.NodeCount; n++)
                 built.Nodes[n].FirstPage += m_folder.FirstBelow(page);
             while (m_checked.Count < PageCount)

@@ -43,7 +43,7 @@ namespace FastPoints.Streaming
             {
                 var cloud = stream.Clouds[c];
                 if (cloud != null && !cloud.IsRemoving)
-                    selector.Add(c, cloud.Pages, cloud.Placement, cloud.Source.Cubes.Size);
+                    selector.Add(c, cloud.Pages, cloud.Placement, cloud.Source.Cubes.Size, cloud.IsReplacement);
             }
             selector.Choose(views, settings.Selection);
             if (stream.Motion.TryPredictView(views, stream.FramesToPredict))

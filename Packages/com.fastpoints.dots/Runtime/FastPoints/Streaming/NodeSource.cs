@@ -38,6 +38,12 @@ namespace FastPoints.Streaming
         /// about files and tables have no meaning.</summary>
         public virtual bool TranscodesNodes => false;
 
+        // Whether it shows the same nodes as another, so that the same of them are chosen.
+        internal virtual bool HasNodesOf(NodeSource other) => false;
+
+        // Of one node: where some of what lies in files was edited.
+        internal virtual bool Transcodes(int page, int node) => TranscodesNodes;
+
         /// <summary>Creates the boxes of all pages and the nodes of the first one. The caller frees the pages.</summary>
         public abstract unsafe void CreatePages(HierarchyPage* pages);
 

@@ -34,6 +34,9 @@ namespace FastPoints.Streaming
         // It goes when its reads and uploads have ended.
         public bool IsRemoving { get; set; }
 
+        // It loads what another shows of the same nodes, and will replace it: it is not drawn, and takes nothing of the budget.
+        public bool IsReplacement { get; set; }
+
         public int PageCount => m_pages.Length;
         public long HierarchyBytes { get; private set; }
 
@@ -58,7 +61,15 @@ namespace FastPoints.Streaming
         {
             for (int p = 0; p < Source.Planes.Length; p++)
                 Pages[page].Planes[node * Source.Planes.Length + p].LengthBytes = made.LengthOf(p);
-            Pages[page].States[node].WasTranscoded = true;
+            ref var changed = ref Pages[page].Nodes[node];
+            ref var state = ref Pages[page].States[node];
+            made.Made(ref changed.BlockCount, ref changed.PointCount);
+            state.WasTranscoded = true;
+            if (changed.BlockCount > 0)
+                return;
+            // A count of 0 would mark an inlined leaf.
+            changed.PointCount = 1;
+            state.Failures = NodeState.IsHole;
         }
 
         public void Load(int page, in HierarchyPage built, NativeArray<byte> table)

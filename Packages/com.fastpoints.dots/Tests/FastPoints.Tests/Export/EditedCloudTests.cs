@@ -18,7 +18,7 @@ using Random = System.Random;
 namespace FastPoints.Tests.Export
 {
     /// <summary>Against operations that are applied to one point after another.</summary>
-    public unsafe class EditedCloudTests : FolderTests
+    public unsafe partial class EditedCloudTests : FolderTests
     {
         static readonly string[] s_names =
         {
@@ -56,15 +56,15 @@ namespace FastPoints.Tests.Export
 
         string Cloud => Folder.File("scan.fastpoints");
 
-        void Convert(PointReader reader) => JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, Cloud,
-            new ConvertSettings { MaxPointsPerLeaf = 300, PointsPerChunk = 5000 }, _ => { }, null));
+        void Convert(PointReader reader, int cellsLog2 = 0) => JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, Cloud,
+            new ConvertSettings { MaxPointsPerLeaf = 300, PointsPerChunk = 5000, CellsLog2 = cellsLog2 }, _ => { }, null));
 
-        void ConvertSeeded(int points = 8000, double zScale = 0.01)
+        void ConvertSeeded(int points = 8000, double zScale = 0.01, int cellsLog2 = 0)
         {
             using var file = new LasTestFile { Format = 2, Offset = new[] { 5e6, 1e5, -9.5 } };
             file.Scale[2] = zScale;
             using var reader = PointReaders.Open(Folder.Write("a.las", file.RandomPoints(points).ToBytes()));
-            Convert(reader);
+            Convert(reader, cellsLog2);
         }
 
         static List<Point> Read(PointReader reader, int pointsPerRange = int.MaxValue)

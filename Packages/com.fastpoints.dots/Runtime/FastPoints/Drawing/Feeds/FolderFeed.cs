@@ -7,6 +7,7 @@ namespace FastPoints.Drawing
     internal sealed class FolderFeed : CloudFeed
     {
         readonly GenerationPoller m_generations;
+        int m_edits = EditJournal.Writes;
         CloudFacts m_facts;
         CloudFolder m_described;
 
@@ -33,11 +34,24 @@ namespace FastPoints.Drawing
         public override bool IsBuildAborted => m_generations.IsDeleted;
 
         public override NodeSource Take(params string[] planes) =>
-            new FolderSource(m_generations.Take(), planes) { Doubted = m_generations.Doubt };
+            new FolderSource(m_generations.Take(), planes)
+            {
+                Doubted = m_generations.Doubt,
+                Edits = m_generations.Edits,
+                Refused = m_generations.Refused,
+            };
 
         public void Skip() => m_generations.Take()?.Dispose();
 
-        public override void Update(double budgetMs) => m_generations.Update();
+        public override void Update(double budgetMs)
+        {
+            if (m_edits != EditJournal.Writes)
+            {
+                m_edits = EditJournal.Writes;
+                Refresh();
+            }
+            m_generations.Update();
+        }
 
         public override void Refresh() => m_generations.Refresh();
 

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Runtime.InteropServices;
 using System.Text;
+using System.Threading;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 
@@ -51,6 +52,8 @@ namespace FastPoints.Store
         const string Extension = ".edits";
         const int MaxBytes = 1 << 30;
 
+        static int s_writes;
+
         readonly string m_path;
         readonly ulong m_cloudId;
         readonly List<EditOperation> m_operations = new List<EditOperation>();
@@ -58,6 +61,9 @@ namespace FastPoints.Store
         long m_wholeBytes;
 
         EditJournal(string path, ulong cloudId) => (m_path, m_cloudId) = (path, cloudId);
+
+        // By this process, to any: whoever shows a cloud looks at its own again when the number rises. Any thread.
+        public static int Writes => Volatile.Read(ref s_writes);
 
         // In their order; those from Count on are undone.
         public IReadOnlyList<EditOperation> Operations => m_operations;
@@ -196,6 +202,7 @@ namespace FastPoints.Store
             }
             m_wholeBytes = m_fileBytes;
             Apply(kind, text);
+            Interlocked.Increment(ref s_writes);
         }
 
         // With the header if there is none.

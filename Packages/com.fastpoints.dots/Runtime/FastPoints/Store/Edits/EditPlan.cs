@@ -9,12 +9,16 @@ namespace FastPoints.Store
     internal sealed class EditPlan
     {
         readonly List<string> m_changed = new List<string>();
+        readonly EditShape[] m_bounds; // Of each operation's balls, or else of its boxes.
 
         public EditPlan(IReadOnlyList<EditOperation> operations, CloudManifest manifest)
         {
             Operations = operations;
             Manifest = manifest;
             PointsChanged = new long[operations.Count];
+            m_bounds = new EditShape[operations.Count];
+            for (int i = 0; i < m_bounds.Length; i++)
+                m_bounds[i] = EditShape.Around(operations[i].Balls.Count > 0 ? operations[i].Balls : operations[i].Boxes);
             var names = new List<string>();
             foreach (var operation in operations)
             {
@@ -50,15 +54,36 @@ namespace FastPoints.Store
             }
         }
 
+        // The edits of a cloud, and perhaps one more; null if there are none. Throws if they are another's, damaged, or for what it
+        // has not. Not for a main thread.
+        public static EditPlan Of(string path, CloudManifest manifest, EditOperation added = null)
+        {
+            var operations = EditJournal.Read(path, manifest.CloudId).Applied;
+            if (added != null)
+                operations.Add(added);
+            foreach (var operation in operations)
+                if (FindProblem(operation, manifest) is string problem)
+                    throw new PointCloudException(FailureCode.Unsupported, path, -1, problem);
+            return operations.Count > 0 ? new EditPlan(operations, manifest) : null;
+        }
+
         // Whether the last operation may change points of a cube.
-        public bool MayReach(GridCube cube)
+        public bool MayReach(GridCube cube) => Operations[Operations.Count - 1].MayReach(BoxOf(cube));
+
+        // Whether any operation may.
+        public bool MayReachAny(GridCube cube)
+        {
+            var box = BoxOf(cube);
+            for (int i = 0; i < m_bounds.Length; i++)
+                if (m_bounds[i].ReachOf(box) != EditReach.None && Operations[i].MayReach(box))
+                    return true;
+            return false;
+        }
+
+        static EditShape BoxOf(GridCube cube)
         {
             long last = cube.Side - 1;
-            return Operations[Operations.Count - 1].MayReach(new EditShape
-            {
-                A = cube.Corner,
-                B = cube.Corner + new Grid3(last, last, last),
-            });
+            return new EditShape { A = cube.Corner, B = cube.Corner + new Grid3(last, last, last) };
         }
 
         // What keeps an operation from being applied to a cloud, or null.

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Unity.Mathematics;
 
 namespace FastPoints.Store
@@ -45,6 +46,20 @@ namespace FastPoints.Store
             if (!ball.IsRound)
                 ball.B = Grid3.Max(ball.B, new Grid3(1, 1, 1));
             return ball;
+        }
+
+        // The smallest box around shapes; everything if there are none.
+        public static EditShape Around(List<EditShape> shapes)
+        {
+            var far = new Grid3(EditOperation.MaxCoordinate, EditOperation.MaxCoordinate, EditOperation.MaxCoordinate);
+            var all = shapes.Count > 0 ? new EditShape { A = far, B = default(Grid3) - far }
+                : new EditShape { A = default(Grid3) - far, B = far };
+            foreach (var shape in shapes)
+            {
+                all.A = Grid3.Min(all.A, shape.IsBall ? shape.A - shape.B : shape.A);
+                all.B = Grid3.Max(all.B, shape.IsBall ? shape.A + shape.B : shape.B);
+            }
+            return all;
         }
 
         public static Grid3 GridOf(double3 steps)

@@ -15,6 +15,7 @@ namespace FastPoints.Store
 
         readonly string m_path;
         CloudManifest m_known; // Of the generation that was kept last.
+        ulong m_knownEdits; // Their hash; 0 for none.
         PoolTask<Poll> m_polling;
         CloudFolder m_newest;
         long m_lastPoll = Stopwatch.GetTimestamp();
@@ -31,12 +32,21 @@ namespace FastPoints.Store
 
             // Null if there is no newer one, or if it cannot be opened at this moment.
             public CloudFolder Newer;
+            public Edited Edits;
+        }
+
+        // What is to be applied to a cloud, or why nothing is.
+        struct Edited
+        {
+            public EditPlan Plan;
+            public ulong Hash;
+            public PointCloudException Refused;
         }
 
         // Takes ownership of the folder, which is also the first that Take returns.
         public GenerationPoller(CloudFolder first) : this(first.FolderPath)
         {
-            Keep(first);
+            Keep(first, EditsOf(first));
         }
 
         // The folder may not exist yet. The path may have the suffix of an unfinished folder.
@@ -62,6 +72,12 @@ namespace FastPoints.Store
 
         public CloudFolder Newest => m_newest;
 
+        // Of the generation that was kept last, as it was opened; null for none.
+        public EditPlan Edits { get; private set; }
+
+        // Why its edits are not applied, or null.
+        public PointCloudException Refused { get; private set; }
+
         public CloudFolder Take()
         {
             var taken = m_newest;
@@ -86,7 +102,7 @@ namespace FastPoints.Store
                 m_misses = seen.Exists ? 0 : IsBuilding ? m_misses + 1 : MissesUntilDeleted;
                 m_isDoubted |= seen.HasFailed && SourcePath.IsRemote(m_path);
                 if (seen.Newer != null)
-                    Keep(seen.Newer);
+                    Keep(seen.Newer, seen.Edits);
             }
             if (m_polling != null || m_newest != null || !m_isRequested && !(IsFollowing && IsPollDue))
                 return;
@@ -102,8 +118,9 @@ namespace FastPoints.Store
         {
             string path = m_path;
             var known = m_known;
+            ulong edits = m_knownEdits;
             bool wasBuilding = IsBuilding;
-            m_polling = PoolTask.Begin(path, () => PollFolder(path, known, wasBuilding));
+            m_polling = PoolTask.Begin(path, () => PollFolder(path, known, edits, wasBuilding));
         }
 
         public void Dispose()
@@ -115,7 +132,7 @@ namespace FastPoints.Store
             IsBuilding = m_isDoubted = false;
         }
 
-        static Poll PollFolder(string path, CloudManifest known, bool wasBuilding)
+        static Poll PollFolder(string path, CloudManifest known, ulong edits, bool wasBuilding)
         {
             var look = new Poll { Exists = CloudFolder.IsCloud(path) };
             if (!look.Exists)
@@ -127,9 +144,11 @@ namespace FastPoints.Store
                 folder = CloudFolder.Open(path);
                 var manifest = folder.Manifest;
                 bool isOther = known == null || manifest.CloudId != known.CloudId;
+                look.Edits = EditsOf(folder);
                 // A finished cloud under its temporary name is about to be renamed: wait for that.
                 bool isNewer = manifest.IsBuilding ? isOther || manifest.Generation > known.Generation
-                    : !folder.IsUnfinished && (wasBuilding || isOther || manifest.RootHash != known.RootHash);
+                    : !folder.IsUnfinished && (wasBuilding || isOther || manifest.RootHash != known.RootHash ||
+                        look.Edits.Hash != edits);
                 if (isNewer)
                 {
                     look.Newer = folder;
@@ -145,8 +164,23 @@ namespace FastPoints.Store
             return look;
         }
 
-        void Keep(CloudFolder folder)
+        // A cloud is shown without edits that are damaged, or of another cloud.
+        static Edited EditsOf(CloudFolder folder)
         {
+            try
+            {
+                var plan = folder.IsUnfinished ? null : EditPlan.Of(folder.FolderPath, folder.Manifest);
+                return new Edited { Plan = plan, Hash = plan?.Hash ?? 0 };
+            }
+            catch (PointCloudException refused)
+            {
+                return new Edited { Refused = refused };
+            }
+        }
+
+        void Keep(CloudFolder folder, Edited edits)
+        {
+            (Edits, m_knownEdits, Refused) = (edits.Plan, edits.Hash, edits.Refused);
             m_newest = folder;
             IsFound = true;
             m_known = folder.Manifest;

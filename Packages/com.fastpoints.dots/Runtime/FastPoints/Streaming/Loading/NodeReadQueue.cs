@@ -26,6 +26,9 @@ namespace FastPoints.Streaming
 
         public List<NodeFetch> Fetches => m_fetches;
 
+        // Whether the pool had none for what the last frame chose.
+        public bool LacksRoom { get; private set; }
+
         public int InFlightCount
         {
             get
@@ -87,6 +90,7 @@ namespace FastPoints.Streaming
             RequestTables(m_state.Selector.Missing, NodeFetch.TableRank, ref tables);
             ListWanted(m_state.Selector.Selected);
             bool hasRoom = RequestNodes(0, ref stats);
+            LacksRoom = !hasRoom;
             if (!hasRoom)
                 return;
             RequestTables(m_state.Selector.MissingOfPrefetch, FirstPrefetchRank, ref tables);
@@ -171,7 +175,7 @@ namespace FastPoints.Streaming
                 var cloud = m_state.Clouds[first.Cloud];
                 if (FolderReleases.IsReleased(cloud.Source.Path))
                     continue;
-                if (cloud.Source.TranscodesNodes)
+                if (cloud.Source.Transcodes(first.Page, first.Node))
                 {
                     if (!TryBeginTranscoding(fetch, cloud, first, firstRank, ref stats))
                         return false;
@@ -182,7 +186,8 @@ namespace FastPoints.Streaming
                 for (int j = i; j < m_wanted.Length && hasRoom && bytes < m_state.Settings.BytesPerRead; j++)
                 {
                     var node = m_wanted[j];
-                    if (node.Node < 0 || node.Cloud != first.Cloud || node.Page != first.Page)
+                    if (node.Node < 0 || node.Cloud != first.Cloud || node.Page != first.Page ||
+                        cloud.Source.Transcodes(node.Page, node.Node))
                         continue;
                     long size = cloud.BytesOf(node.Page, node.Node);
                     if (bytes > 0 && bytes + size > m_state.Settings.BytesPerRead)
@@ -319,7 +324,8 @@ namespace FastPoints.Streaming
                 page->Failures = 0;
                 // A node with points outside its cube exceeds its bound: it is requested again with its true length.
                 var range = m_state.Cache[node.Slot].Range;
-                if (m_state.Pool.TryShorten(ref range, fetch.Cloud.BytesOf(fetch.Page, node.Node)))
+                bool isEmpty = page->Nodes[node.Node].BlockCount == 0;
+                if (!isEmpty && m_state.Pool.TryShorten(ref range, fetch.Cloud.BytesOf(fetch.Page, node.Node)))
                     m_state.Cache.SetRange(node.Slot, range);
                 else
                     Drop(fetch, page);

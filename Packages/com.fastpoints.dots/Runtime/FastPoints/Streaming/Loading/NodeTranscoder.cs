@@ -29,6 +29,9 @@ namespace FastPoints.Streaming
 
         internal abstract TranscodeResult End(out StreamFailure failure);
 
+        // What the node that was made last has, if it is not what its page says.
+        internal virtual void Made(ref int blocks, ref int points) { }
+
         /// <summary>Ends a node whose work is done, or throws a <see cref="PointCloudException"/>.</summary>
         public void EndOrThrow()
         {

@@ -51,11 +51,18 @@ namespace FastPoints.Streaming
 
         // In rising order of clouds. The pages stay in place until the frame's last selection; clouds without volume are left
         // out.
-        public void Add(int cloud, HierarchyPage* pages, in CloudPlacement placement, double3 cubeSize = default)
+        public void Add(int cloud, HierarchyPage* pages, in CloudPlacement placement, double3 cubeSize = default,
+            bool isReplacement = false)
         {
             if (!placement.IsValid)
                 return;
-            m_clouds.Add(new SelectionCloud { Cloud = cloud, Pages = pages, CubeSize = cubeSize });
+            m_clouds.Add(new SelectionCloud
+            {
+                Cloud = cloud,
+                Pages = pages,
+                CubeSize = cubeSize,
+                IsReplacement = isReplacement,
+            });
             m_placements.Add(placement);
         }
 

@@ -68,7 +68,7 @@ namespace FastPoints.Streaming
                     continue;
                 }
                 var node = page->Nodes + best.Node;
-                int cost = page->IsHole(best.Node) ? 0 : node->PointCount;
+                int cost = page->IsHole(best.Node) || cloud.IsReplacement ? 0 : node->PointCount;
                 if (points > 0 && points + cost > Settings.PointBudget)
                     break;
                 if (best.IsForLight && (pointsForLight += cost) > Settings.PointBudget * LightShare)
@@ -204,6 +204,7 @@ namespace FastPoints.Streaming
         /// <summary>All pages known so far.</summary>
         public HierarchyPage* Pages;
         public int Cloud;
+        public bool IsReplacement;
 
         /// <summary>Size of the root cube, in units of each axis.</summary>
         public double3 CubeSize;

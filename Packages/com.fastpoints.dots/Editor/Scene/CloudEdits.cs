@@ -1,0 +1,85 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Export;
+using FastPoints.Store;
+using UnityEditor;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Edits clouds one operation after the other, beside the editor's own work. Each becomes a step of Undo: undoing it
+    /// undoes it in the cloud's journal.</summary>
+    [InitializeOnLoad]
+    internal static class CloudEdits
+    {
+        const double UpdateMs = 4;
+
+        static readonly Queue<(string Cloud, IEnumerator<JobStep> Work)> s_waiting = new Queue<(string, IEnumerator<JobStep>)>();
+        static JobCoroutine s_running;
+        static string s_cloud;
+
+        static CloudEdits()
+        {
+            if (AssetDatabase.IsAssetImportWorkerProcess())
+                return;
+            EditorApplication.update += Update;
+            AssemblyReloadEvents.beforeAssemblyReload += Cancel;
+            EditorApplication.quitting += Cancel;
+            Undo.undoRedoPerformed += Follow;
+        }
+
+        public static bool IsBusy => s_running != null || s_waiting.Count > 0;
+
+        public static void Begin(string cloud, EditOperation operation, string name) =>
+            s_waiting.Enqueue((cloud, Run(cloud, operation, name)));
+
+        static void Update()
+        {
+            if (s_running == null && s_waiting.Count > 0)
+            {
+                var (cloud, work) = s_waiting.Dequeue();
+                (s_cloud, s_running) = (cloud, new JobCoroutine(work));
+            }
+            try
+            {
+                if (s_running == null || !s_running.Tick(UpdateMs))
+                    return;
+            }
+            catch (Exception e)
+            {
+                Debug.LogError("FastPoints: " + PointCloudException.Of(s_cloud, e).FullMessage);
+            }
+            s_running = null;
+            EditModeFrames.RequestFrame();
+        }
+
+        static IEnumerator<JobStep> Run(string cloud, EditOperation operation, string name)
+        {
+            int before = 0, after = 0;
+            yield return JobStep.Of(PoolTask.Run(cloud, () => EditCloud.MoveTo(cloud, -1), count => before = count));
+            yield return JobStep.Of(EditCloud.Run(cloud, operation, null));
+            yield return JobStep.Of(PoolTask.Run(cloud, () => EditCloud.MoveTo(cloud, -1), count => after = count));
+            if (after == before)
+                yield break;
+            var positions = EditPositions.instance;
+            positions.Set(cloud, before);
+            Undo.IncrementCurrentGroup();
+            Undo.RecordObject(positions, name);
+            positions.Set(cloud, after);
+        }
+
+        static void Follow()
+        {
+            foreach (var (cloud, count) in EditPositions.instance.TakeChanged())
+                s_waiting.Enqueue((cloud, PoolTask.Run(cloud, () => EditCloud.MoveTo(cloud, count),
+                    moved => EditPositions.instance.Set(cloud, moved))));
+        }
+
+        static void Cancel()
+        {
+            s_running?.Cancel();
+            s_running = null;
+            s_waiting.Clear();
+        }
+    }
+}

@@ -1,0 +1,153 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Entities;
+using FastPoints.Queries;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace FastPoints.Editor
+{
+    /// <summary>Makes operations of strokes over points and of boxes. A stroke picks point after point along the pointer's way,
+    /// all of the cloud that it began on, and becomes one operation when it ends.</summary>
+    internal sealed class EditSession : IDisposable
+    {
+        readonly ScenePicker m_picker = new ScenePicker();
+        readonly List<StreamPick> m_stroke = new List<StreamPick>();
+        PointQuery m_next;
+        bool m_hasNext;
+        bool m_isEnding;
+
+        public EditAction Action { get; set; } = EditAction.Delete;
+        public byte Class { get; set; }
+        public Color Color { get; set; } = new Color(1, 0, 0, 1);
+
+        /// <summary>Of the brush, in world units.</summary>
+        public float Radius { get; set; } = 0.5f;
+
+        public IReadOnlyList<StreamPick> Stroke => m_stroke;
+
+        /// <summary>What is amiss; null if nothing is.</summary>
+        public string Note { get; private set; }
+
+        public void Drag(PointQuery ray)
+        {
+            (m_next, m_hasNext) = (ray, true);
+            BeginNext();
+        }
+
+        public void EndStroke() => m_isEnding = true;
+
+        public void ClearStroke()
+        {
+            m_stroke.Clear();
+            m_hasNext = m_isEnding = false;
+        }
+
+        /// <summary>Goes on with picking; called once an update of the editor.</summary>
+        /// <returns>Whether there is something new to be drawn.</returns>
+        public bool Update(double budgetMs)
+        {
+            bool isNew = m_picker.IsSearching && m_picker.Update(budgetMs) && Take(m_picker.Pick);
+            BeginNext();
+            if (!m_isEnding || m_hasNext || m_picker.IsSearching)
+                return isNew;
+            if (m_stroke.Count > 0)
+                Apply();
+            ClearStroke();
+            return true;
+        }
+
+        /// <param name="local">In the space of the cloud's GameObject.</param>
+        public void ApplyBox(PointCloud cloud, Bounds local)
+        {
+            var shown = SceneExport.FindStreamed(cloud, out _);
+            if (!CanEdit(shown))
+                return;
+            double3 min = double.PositiveInfinity, max = double.NegativeInfinity;
+            for (int corner = 0; corner < 8; corner++)
+            {
+                var sign = new Vector3((corner & 1) * 2 - 1, (corner & 2) - 1, (corner & 4) / 2 - 1);
+                var world = cloud.transform.localToWorldMatrix.MultiplyPoint3x4(local.center + Vector3.Scale(local.size * 0.5f, sign));
+                var geo = shown.Source.Grid.ToGeo(shown.Source.Root.Corner) + math.mul(math.inverse(shown.Placement.Linear),
+                    new double3(world.x, world.y, world.z) - shown.Placement.OriginWorld);
+                (min, max) = (math.min(min, geo), math.max(max, geo));
+            }
+            var operation = NewOperation();
+            operation.Boxes.Add(EditShape.Box(shown.Source.Grid, min, max));
+            Begin(shown, operation);
+        }
+
+        public void Dispose() => m_picker.Dispose();
+
+        void BeginNext()
+        {
+            if (!m_hasNext || m_picker.IsSearching)
+                return;
+            m_hasNext = false;
+            if (!m_picker.Begin(m_next))
+                Note = "no point cloud is shown";
+        }
+
+        bool Take(StreamPick pick)
+        {
+            Note = pick.Failure;
+            if (pick.Point == null || m_stroke.Count > 0 && m_stroke[0].Path != pick.Path)
+                return pick.Failure != null;
+            m_stroke.Add(pick);
+            return true;
+        }
+
+        void Apply()
+        {
+            var entity = m_picker.EntityOf(m_stroke[0].Cloud);
+            var group = PointCloudSystemGroup.ObjectGroup;
+            int number = group?.Stream == null || group.Live.Find(entity)?.Versions == null ? CloudVersions.None
+                : group.Live.Find(entity).Versions.Cloud;
+            var shown = number < 0 ? null : group.Stream.Clouds[number];
+            if (!CanEdit(shown))
+                return;
+            var operation = NewOperation();
+            var linear = shown.Placement.Linear;
+            var radii = Radius / (new double3(math.length(linear.c0), math.length(linear.c1), math.length(linear.c2)) *
+                shown.Source.Grid.Step);
+            // The same on all axes where only rounding says otherwise: such balls may be larger.
+            if (math.cmax(radii) - math.cmin(radii) < 1e-6 * math.cmin(radii))
+                radii = math.cmin(radii);
+            foreach (var pick in m_stroke)
+                operation.Balls.Add(new EditShape
+                {
+                    A = pick.Point.Position,
+                    B = EditShape.GridOf(math.max(1, math.floor(radii))),
+                    IsBall = true,
+                });
+            Begin(shown, operation);
+        }
+
+        bool CanEdit(StreamedCloud shown)
+        {
+            Note = shown == null ? "the cloud is not shown" : shown.Source is FolderSource stored && !stored.Folder.IsUnfinished &&
+                !SourcePath.IsRemote(stored.Folder.FolderPath) ? null : "only converted clouds on this machine can be edited";
+            return Note == null;
+        }
+
+        EditOperation NewOperation() => new EditOperation
+        {
+            Action = Action,
+            Value = Action == EditAction.Classify ? new[] { Class }
+                : Action == EditAction.Color ? new[] { ByteOf(Color.r), ByteOf(Color.g), ByteOf(Color.b) }
+                : new byte[0],
+        };
+
+        static byte ByteOf(float channel) => (byte)math.round(math.saturate(channel) * byte.MaxValue);
+
+        void Begin(StreamedCloud shown, EditOperation operation)
+        {
+            var folder = ((FolderSource)shown.Source).Folder;
+            Note = EditPlan.FindProblem(operation, folder.Manifest);
+            if (Note == null)
+                CloudEdits.Begin(folder.FolderPath, operation, "Edit points");
+        }
+    }
+}

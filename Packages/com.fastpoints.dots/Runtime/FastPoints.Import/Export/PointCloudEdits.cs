@@ -1,0 +1,62 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Store;
+
+namespace FastPoints.Export
+{
+    /// <summary>Edits converted clouds from code, and exports them as edited. All of it are coroutines for
+    /// <see cref="JobCoroutine"/>: they throw a <see cref="PointCloudException"/> if a cloud cannot be edited or written.</summary>
+    public static class PointCloudEdits
+    {
+        /// <summary>Deletes the points in a box.</summary>
+        /// <param name="box">Georeferenced, in CRS units.</param>
+        /// <param name="done">Receives how many points.</param>
+        public static IEnumerator<JobStep> DeleteIn(string cloud, BoundsGeo box, Action<long> done) =>
+            Edit(cloud, new EditOperation { Action = EditAction.Delete }, box, done);
+
+        /// <summary>Gives the points in a box a class.</summary>
+        /// <param name="box">Georeferenced, in CRS units.</param>
+        /// <param name="done">Receives how many points had another.</param>
+        public static IEnumerator<JobStep> ClassifyIn(string cloud, BoundsGeo box, byte classification, Action<long> done) =>
+            Edit(cloud, new EditOperation { Action = EditAction.Classify, Value = new[] { classification } }, box, done);
+
+        /// <summary>Undoes the last edit.</summary>
+        /// <param name="done">Receives whether there was one.</param>
+        public static IEnumerator<JobStep> Undo(string cloud, Action<bool> done) => PoolTask.Run(cloud, () =>
+        {
+            int count = EditCloud.MoveTo(cloud, -1);
+            return count > 0 && EditCloud.MoveTo(cloud, count - 1) < count;
+        }, done);
+
+        /// <summary>Writes a cloud as edited to a file.</summary>
+        /// <param name="path">Ends in .las, .laz or .ply.</param>
+        /// <param name="done">Receives how many points it has.</param>
+        public static IEnumerator<JobStep> Export(string cloud, string path, Action<long> done)
+        {
+            ConvertedReader reader = null;
+            try
+            {
+                yield return JobStep.Of(PoolTask.Run(cloud, () => ConvertedReader.OpenEdited(cloud), opened => reader = opened,
+                    unwanted => unwanted.DisposeUnread()));
+                yield return JobStep.Of(ExportCloud.Run(reader, path, new ExportSettings(), result => done(result.Points), null));
+            }
+            finally
+            {
+                reader?.Dispose();
+            }
+        }
+
+        static IEnumerator<JobStep> Edit(string cloud, EditOperation operation, BoundsGeo box, Action<long> done)
+        {
+            CloudManifest manifest = null;
+            yield return JobStep.Of(PoolTask.Run(cloud, () =>
+            {
+                using var folder = CloudFolder.Open(cloud);
+                return folder.Manifest;
+            }, read => manifest = read));
+            operation.Boxes.Add(EditShape.Box(manifest.Grid, box.Min, box.Max));
+            yield return JobStep.Of(EditCloud.Run(cloud, operation, null));
+            done(operation.PointsChanged);
+        }
+    }
+}

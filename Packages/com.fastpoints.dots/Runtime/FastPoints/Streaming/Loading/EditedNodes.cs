@@ -1,0 +1,152 @@
+using System;
+using System.Collections.Generic;
+using FastPoints.Store;
+using Unity.Collections;
+
+namespace FastPoints.Streaming
+{
+    // A node that edits may reach, as it is stored.
+    internal sealed class EditedNode
+    {
+        public int Page;
+        public Grid3 Corner;
+        public bool IsWide;
+        public int BlockCount;
+        public PlaneRange[] Ranges; // Of EditedNodes.Planes.
+    }
+
+    // The nodes of a cloud's folder that its edits may reach, of the pages that were registered. In a page their ranges say no
+    // more where a plane lies, but which of these nodes it is, and how long what is left of the plane can be. Main thread.
+    internal sealed class EditedNodes : IDisposable
+    {
+        const int MaxTranscoders = 8;
+        const int NotEdited = -1;
+
+        readonly CloudFolder m_folder;
+        readonly List<EditedNode> m_nodes = new List<EditedNode>();
+        readonly List<int[]> m_numbers = new List<int[]>(); // By page and node.
+        readonly List<EditedTranscoder> m_all = new List<EditedTranscoder>();
+        readonly Stack<EditedTranscoder> m_idle = new Stack<EditedTranscoder>();
+
+        public EditedNodes(EditPlan plan, CloudFolder folder, NativeArray<int> streamed)
+        {
+            (Plan, m_folder, StreamedPlanes) = (plan, folder, streamed.Length);
+            foreach (int plane in streamed)
+                Planes.Add(plane);
+            for (int p = 1; p < Layout.Planes.Count; p++)
+                if (Layout.Planes[p].IsSource && !Planes.Contains(p) && IsNamed(plan.Schema, p))
+                    Planes.Add(p);
+        }
+
+        public EditPlan Plan { get; }
+        public StoreLayout Layout => m_folder.Layout;
+
+        // In the layout: those that are streamed, then those that operations read besides.
+        public List<int> Planes { get; } = new List<int>();
+        public int StreamedPlanes { get; }
+
+        public bool Has(int page, int node) =>
+            page < m_numbers.Count && m_numbers[page] != null && m_numbers[page][node] != NotEdited;
+
+        public EditedNode this[int number] => m_nodes[number];
+
+        // Null if it is shown as stored.
+        public EditedNode Find(int page, int node, in PageView table)
+        {
+            AddPage(page, table);
+            return Has(page, node) ? m_nodes[m_numbers[page][node]] : null;
+        }
+
+        public string PathOf(EditedNode node, bool isComputed) =>
+            isComputed ? m_folder.PathOfComputed(node.Page) : m_folder.PathOf(node.Page);
+
+        // A page that was built from a table; perhaps not for the first time.
+        public unsafe void Register(int page, in HierarchyPage built, in PageView table)
+        {
+            AddPage(page, table);
+            var numbers = m_numbers[page];
+            for (int n = 0; n < numbers.Length; n++)
+                for (int p = 0; p < StreamedPlanes && numbers[n] != NotEdited; p++)
+                    built.Planes[n * StreamedPlanes + p] = new PlaneRange
+                    {
+                        OffsetBytes = numbers[n],
+                        LengthBytes = MaxBytesOf(m_nodes[numbers[n]], p, built.Nodes[n].PointCount),
+                    };
+        }
+
+        unsafe void AddPage(int page, in PageView table)
+        {
+            while (m_numbers.Count <= page)
+                m_numbers.Add(null);
+            if (m_numbers[page] != null)
+                return;
+            var numbers = m_numbers[page] = new int[table.NodeCount];
+            for (int n = 0; n < numbers.Length; n++)
+            {
+                var record = table.Nodes[n];
+                numbers[n] = NotEdited;
+                if (record.PlaneBlocks == 0 || !Plan.MayReachAny(record.Cube))
+                    continue;
+                numbers[n] = m_nodes.Count;
+                var ranges = new PlaneRange[Planes.Count];
+                for (int p = 0; p < ranges.Length; p++)
+                    ranges[p] = table.RangeOf(n, Planes[p]);
+                m_nodes.Add(new EditedNode
+                {
+                    Page = page,
+                    Corner = record.Corner,
+                    IsWide = record.IsWide,
+                    BlockCount = record.PlaneBlocks,
+                    Ranges = ranges,
+                });
+            }
+        }
+
+        // Fewer points of a block never take more; other values may.
+        public long MaxBytesOf(EditedNode node, int plane, int points)
+        {
+            if (!IsChanged(plane))
+                return node.Ranges[plane].LengthBytes;
+            var of = Layout.Planes[Planes[plane]];
+            long words = (long)node.BlockCount * (of.Shape.DescriptorWords + of.ColumnCount);
+            for (int c = of.FirstColumn; c < of.FirstColumn + of.ColumnCount; c++)
+                words += ((long)points * 8 * Layout.Columns[c].Type.SizeOf() + 31) / 32;
+            return PlaneShape.LengthBytes(words);
+        }
+
+        // Among Planes.
+        public bool IsChanged(int plane) => plane > 0 && IsNamed(Plan.Changed, Planes[plane]);
+
+        bool IsNamed(PointSchema schema, int plane)
+        {
+            var of = Layout.Planes[plane];
+            for (int c = of.FirstColumn; c < of.FirstColumn + of.ColumnCount; c++)
+                if (of.IsSource && schema.Has(Layout.NameOfColumn(of, c)))
+                    return true;
+            return false;
+        }
+
+        public EditedTranscoder Create() => new EditedTranscoder(this);
+
+        // Null while enough are busy.
+        public EditedTranscoder Rent()
+        {
+            if (m_idle.Count > 0)
+                return m_idle.Pop();
+            if (m_all.Count == MaxTranscoders)
+                return null;
+            m_all.Add(Create());
+            return m_all[m_all.Count - 1];
+        }
+
+        public void Return(EditedTranscoder transcoder) => m_idle.Push(transcoder);
+
+        public void Dispose()
+        {
+            foreach (var transcoder in m_all)
+                transcoder.Dispose();
+            m_all.Clear();
+            m_idle.Clear();
+        }
+    }
+}
