@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Editor;
@@ -5,10 +6,20 @@ namespace FastPoints.HostTests.Editor;
 /// <summary>The tool that edits points, on the same cloud.</summary>
 public sealed partial class MeasureTests
 {
+    [SetUp]
+    public void Listen()
+    {
+        System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(CloudEdits).TypeHandle);
+        // Other tests end what listens.
+        if (EditorApplication.update?.GetInvocationList().Any(d => d.Method.DeclaringType == typeof(CloudEdits)) != true)
+            CloudEdits.Listen();
+    }
+
     [TearDown]
     public void EndEdits()
     {
-        Frames(() => !CloudEdits.IsBusy);
+        for (var watch = Stopwatch.StartNew(); CloudEdits.IsBusy && watch.Elapsed.TotalSeconds < 10; Thread.Yield())
+            EditorApplication.update?.Invoke();
         File.Delete(EditJournal.PathOf(m_path));
         Undo.Clear();
     }
@@ -18,8 +29,14 @@ public sealed partial class MeasureTests
     FolderSource Shown => m_cloud.Number < 0 ? null
         : (FolderSource)m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream.Clouds[m_cloud.Number].Source;
 
-    void WaitForEdits(int count) => Frames(() => !CloudEdits.IsBusy && Journal.Count == count &&
-        (Shown?.Edits?.Operations.Count ?? 0) == count);
+    void WaitForEdits(int count)
+    {
+        var watch = Stopwatch.StartNew();
+        string State() => CloudEdits.IsBusy + ", " + Journal.Count + ", " + (Shown?.Edits?.Operations.Count ?? 0);
+        string wanted = "False, " + count + ", " + count;
+        Frames(() => State() == wanted || watch.Elapsed.TotalSeconds > 10);
+        Assert.That(State(), Is.EqualTo(wanted));
+    }
 
     static SceneView NewView()
     {
@@ -32,15 +49,18 @@ public sealed partial class MeasureTests
 
     static void Send(EditTool tool, SceneView view, Event sent)
     {
+        // Unity's numbers of controls are the same from event to event.
+        int before = GUIUtility.LastControl;
         GUILayoutUtility.Send(new Event { type = EventType.Layout }, () => tool.OnToolGUI(view));
+        GUIUtility.LastControl = before;
         HandleUtility.nearestControl = GUIUtility.LastControl + 1;
         GUILayoutUtility.Send(sent, () => tool.OnToolGUI(view));
+        GUIUtility.LastControl = before;
     }
 
     [Test]
     public void EditTool_Stroke_IsOneOperationThatUndoTakesBack()
     {
-        System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(CloudEdits).TypeHandle);
         var view = NewView();
         var tool = ScriptableObject.CreateInstance<EditTool>();
         tool.Activate();
@@ -89,7 +109,6 @@ public sealed partial class MeasureTests
     [Test]
     public void EditSession_Box_ChangesWhatLiesInItHoweverTheCloudIsTurned()
     {
-        System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(CloudEdits).TypeHandle);
         Assert.That(m_cloud.TryGetLocalBounds(out var bounds), Is.True);
         using var session = new EditSession { Action = EditAction.Classify, Class = 17 };
         // The half of it that Unity's x says.

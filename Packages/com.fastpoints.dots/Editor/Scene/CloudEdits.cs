@@ -20,8 +20,12 @@ namespace FastPoints.Editor
 
         static CloudEdits()
         {
-            if (AssetDatabase.IsAssetImportWorkerProcess())
-                return;
+            if (!AssetDatabase.IsAssetImportWorkerProcess())
+                Listen();
+        }
+
+        internal static void Listen()
+        {
             EditorApplication.update += Update;
             AssemblyReloadEvents.beforeAssemblyReload += Cancel;
             EditorApplication.quitting += Cancel;
