@@ -34,7 +34,14 @@ public sealed partial class MeasureTests
         var watch = Stopwatch.StartNew();
         string State() => CloudEdits.IsBusy + ", " + Journal.Count + ", " + (Shown?.Edits?.Operations.Count ?? 0);
         string wanted = "False, " + count + ", " + count;
-        Frames(() => State() == wanted || watch.Elapsed.TotalSeconds > 10);
+        // This world has no systems that stream.
+        using var views = new NativeArray<StreamView>(1, Allocator.Persistent) { [0] = StreamView.Everything(1) };
+        var stream = m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
+        Frames(() =>
+        {
+            FrameStep.Run(stream, views);
+            return State() == wanted || watch.Elapsed.TotalSeconds > 10;
+        });
         Assert.That(State(), Is.EqualTo(wanted));
     }
 
