@@ -60,9 +60,9 @@ namespace FastPoints.Editor
         static IEnumerator<JobStep> Run(string cloud, EditOperation operation, string name)
         {
             int before = 0, after = 0;
-            yield return JobStep.Of(PoolTask.Run(cloud, () => EditCloud.MoveTo(cloud, -1), count => before = count));
+            yield return JobStep.Of(PoolTask.Run(cloud, () => EditCloud.GoTo(cloud, -1), count => before = count));
             yield return JobStep.Of(EditCloud.Run(cloud, operation, null));
-            yield return JobStep.Of(PoolTask.Run(cloud, () => EditCloud.MoveTo(cloud, -1), count => after = count));
+            yield return JobStep.Of(PoolTask.Run(cloud, () => EditCloud.GoTo(cloud, -1), count => after = count));
             if (after == before)
                 yield break;
             var positions = EditPositions.instance;
@@ -75,7 +75,7 @@ namespace FastPoints.Editor
         static void Follow()
         {
             foreach (var (cloud, count) in EditPositions.instance.TakeChanged())
-                s_waiting.Enqueue((cloud, PoolTask.Run(cloud, () => EditCloud.MoveTo(cloud, count),
+                s_waiting.Enqueue((cloud, PoolTask.Run(cloud, () => EditCloud.GoTo(cloud, count),
                     moved => EditPositions.instance.Set(cloud, moved))));
         }
 

@@ -69,7 +69,8 @@ namespace FastPoints.Editor
             for (int corner = 0; corner < 8; corner++)
             {
                 var sign = new Vector3((corner & 1) * 2 - 1, (corner & 2) - 1, (corner & 4) / 2 - 1);
-                var world = cloud.transform.localToWorldMatrix.MultiplyPoint3x4(local.center + Vector3.Scale(local.size * 0.5f, sign));
+                var world = cloud.transform.localToWorldMatrix.MultiplyPoint3x4(
+                    local.center + Vector3.Scale(local.size * 0.5f, sign));
                 var geo = shown.Source.Grid.ToGeo(shown.Source.Root.Corner) + math.mul(math.inverse(shown.Placement.Linear),
                     new double3(world.x, world.y, world.z) - shown.Placement.OriginWorld);
                 (min, max) = (math.min(min, geo), math.max(max, geo));
@@ -127,8 +128,10 @@ namespace FastPoints.Editor
 
         bool CanEdit(StreamedCloud shown)
         {
-            Note = shown == null ? "the cloud is not shown" : shown.Source is FolderSource stored && !stored.Folder.IsUnfinished &&
-                !SourcePath.IsRemote(stored.Folder.FolderPath) ? null : "only converted clouds on this machine can be edited";
+            bool canEdit = shown?.Source is FolderSource stored && !stored.Folder.IsUnfinished &&
+                !SourcePath.IsRemote(stored.Folder.FolderPath);
+            Note = shown == null ? "the cloud is not shown"
+                : canEdit ? null : "only converted clouds on this machine can be edited";
             return Note == null;
         }
 

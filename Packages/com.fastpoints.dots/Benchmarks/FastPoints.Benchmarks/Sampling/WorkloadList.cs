@@ -13,7 +13,8 @@ namespace FastPoints.Benchmarks
             .Select(t => (IWorkload)Activator.CreateInstance(t))
             .Concat(ReadingWorkloads.All()).Concat(SelectWorkload.All()).Concat(ConvertWorkload.All())
             .Concat(SceneNodesWorkload.All()).Concat(NormalsWorkload.All()).Concat(QueryWorkload.All())
-            .Concat(StreamEditWorkload.All()).Concat(ScenePreviewWorkload.All()).Concat(StreamSourceWorkload.All()).Concat(BesideFramesWorkload.All())
+            .Concat(StreamEditWorkload.All())
+            .Concat(ScenePreviewWorkload.All()).Concat(StreamSourceWorkload.All()).Concat(BesideFramesWorkload.All())
             .OrderBy(w => w.Name, StringComparer.Ordinal).ToList();
 
         static bool HasDefaultConstructor(Type type) => type.IsValueType || type.GetConstructor(Type.EmptyTypes) != null;

@@ -62,7 +62,7 @@ namespace FastPoints.Export
         /// <summary>Undoes, or does again, until so many operations are applied. Not for a main thread.</summary>
         /// <param name="count">Negative to change nothing.</param>
         /// <returns>How many are: fewer if there are no more.</returns>
-        public static int MoveTo(string cloud, int count)
+        public static int GoTo(string cloud, int count)
         {
             ulong id;
             using (var folder = CloudFolder.Open(cloud))

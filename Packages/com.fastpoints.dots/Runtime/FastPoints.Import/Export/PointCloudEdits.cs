@@ -4,8 +4,8 @@ using FastPoints.Store;
 
 namespace FastPoints.Export
 {
-    /// <summary>Edits converted clouds from code, and exports them as edited. All of it are coroutines for
-    /// <see cref="JobCoroutine"/>: they throw a <see cref="PointCloudException"/> if a cloud cannot be edited or written.</summary>
+    /// <summary>Edits converted clouds from code, and exports them as edited, in coroutines for a
+    /// <see cref="JobCoroutine"/>. They throw a <see cref="PointCloudException"/> if that cannot be done.</summary>
     public static class PointCloudEdits
     {
         /// <summary>Deletes the points in a box.</summary>
@@ -24,8 +24,8 @@ namespace FastPoints.Export
         /// <param name="done">Receives whether there was one.</param>
         public static IEnumerator<JobStep> Undo(string cloud, Action<bool> done) => PoolTask.Run(cloud, () =>
         {
-            int count = EditCloud.MoveTo(cloud, -1);
-            return count > 0 && EditCloud.MoveTo(cloud, count - 1) < count;
+            int count = EditCloud.GoTo(cloud, -1);
+            return count > 0 && EditCloud.GoTo(cloud, count - 1) < count;
         }, done);
 
         /// <summary>Writes a cloud as edited to a file.</summary>

@@ -140,8 +140,8 @@ namespace FastPoints.Tests.Export
         public void Stream_OfADamagedNode_ReportsIt()
         {
             ConvertSeeded(3000);
-            JobCoroutine.RunToEnd(EditCloud.Run(Cloud, new EditOperation { Action = EditAction.Classify, Value = new byte[] { 3 } },
-                null));
+            var operation = new EditOperation { Action = EditAction.Classify, Value = new byte[] { 3 } };
+            JobCoroutine.RunToEnd(EditCloud.Run(Cloud, operation, null));
             using var stream = new QueryTestStream(OpenShown());
             string path = null;
             long offset = 0;

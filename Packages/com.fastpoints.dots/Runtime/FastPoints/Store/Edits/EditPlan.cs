@@ -54,8 +54,8 @@ namespace FastPoints.Store
             }
         }
 
-        // The edits of a cloud, and perhaps one more; null if there are none. Throws if they are another's, damaged, or for what it
-        // has not. Not for a main thread.
+        // The edits of a cloud, and perhaps one more; null if there are none. Throws if they are damaged, another's, or for
+        // attributes that it lacks. Not for a main thread.
         public static EditPlan Of(string path, CloudManifest manifest, EditOperation added = null)
         {
             var operations = EditJournal.Read(path, manifest.CloudId).Applied;

@@ -160,8 +160,9 @@ namespace FastPoints.Streaming
             var of = m_nodes.Layout.Planes[m_nodes.Planes[plane]];
             for (int c = 0; c < of.ColumnCount; c++)
             {
-                int column = of.FirstColumn + c;
-                int changed = m_nodes.IsChanged(plane) ? m_slot.Values.Schema.IndexOf(m_nodes.Layout.NameOfColumn(of, column)) : -1;
+                int column = of.FirstColumn + c, changed = -1;
+                if (m_nodes.IsChanged(plane))
+                    changed = m_slot.Values.Schema.IndexOf(m_nodes.Layout.NameOfColumn(of, column));
                 m_columns[plane * PlaneShape.MaxColumns + c] = new RepackedColumn
                 {
                     IsChanged = changed >= 0,
@@ -308,7 +309,8 @@ namespace FastPoints.Streaming
             var from = new PlaneView((byte*)File.GetUnsafeReadOnlyPtr() + Place, Shape, BlockCount);
             if (First == 0)
                 Begin(from, ref state);
-            var writer = new BlockWriter((uint*)((byte*)Packed.GetUnsafePtr() + state.PlaneStart), Shape, state.Block, state.Word);
+            var to = (uint*)((byte*)Packed.GetUnsafePtr() + state.PlaneStart);
+            var writer = new BlockWriter(to, Shape, state.Block, state.Word);
             ulong* values = stackalloc ulong[PlaneShape.MaxColumns * PlaneShape.MaxPointsPerBlock];
             ulong* min = stackalloc ulong[PlaneShape.MaxColumns], max = stackalloc ulong[PlaneShape.MaxColumns];
             bool isChanged = Column0.IsChanged || Column1.IsChanged || Column2.IsChanged;
