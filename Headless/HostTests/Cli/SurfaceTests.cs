@@ -6,9 +6,7 @@ public sealed class SurfaceTests : ScratchTests
 
     [OneTimeSetUp]
     public void MakeCloud() => m_cloud = Scratch.Converted("street.fastpoints", 200_000);
-
-    // Around a station of the scanner.
-    const string Box = "441048,5611993,110,441068,5612009,140";
+    const string Box = "441048,5611993,110,441068,5612009,140"; // Around a station of the scanner.
 
     CliCall Make(string output, params string[] args) =>
         CliCall.Of(["surface", m_cloud, "-o", Scratch[output], "--json", "-", .. args]);

@@ -12,8 +12,7 @@ class PartBuildTests : FolderTests
     static MemoryReader Reader() => MemoryReader.Of(SameBytesTests.Terrain(Points),
         new PositionTransform { Scale = new double3(0.01, 0.01, 0.01) }, 2000);
 
-    // With it, parts and buckets are stopped now and then, and begun again.
-    System.Random m_stops;
+    System.Random m_stops; // With it, parts and buckets are stopped now and then, and begun again.
 
     // Whether they are stopped instead when the folder has its name, while the writing thread is still at it.
     bool m_isStoppedAtTheEnd;

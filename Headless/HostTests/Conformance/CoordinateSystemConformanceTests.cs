@@ -5,8 +5,7 @@ namespace FastPoints.HostTests.Conformance;
 /// <summary>Hard codes and texts from other projects, with units by PROJ's projinfo 9.1.1.</summary>
 public sealed class CoordinateSystemConformanceTests
 {
-    // projinfo prints 15 digits.
-    const double Digits = 1e-10;
+    const double Digits = 1e-10; // projinfo prints 15 digits.
 
     static string Here(string file) => Path.Combine(Checkout.Repository.Headless, "HostTests", "Conformance", file);
 

@@ -37,8 +37,7 @@ sealed class NginxServer : IDisposable
     // By TLS, too.
     public int Http2Port { get; }
 
-    // For SSL_CERT_FILE.
-    public string AuthorityPath => Path.Combine(m_folder, "authority.pem");
+    public string AuthorityPath => Path.Combine(m_folder, "authority.pem"); // For SSL_CERT_FILE.
 
     // Of all answers that anyone has whole.
     public string[] AccessLog

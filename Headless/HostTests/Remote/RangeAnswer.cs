@@ -24,15 +24,9 @@ sealed class RangeAnswer
     public string Version = "1.1";
     public string Path;
     public long From, Bytes, Length;
-
-    // In place of the file's.
-    public byte[] Body;
-
-    // In place of what the status and the headers make; without a body.
-    public string RawHead;
-
-    // Before what End says; Bytes where it is less than 0.
-    public long SentBytes = -1;
+    public byte[] Body; // In place of the file's.
+    public string RawHead; // In place of what the status and the headers make; without a body.
+    public long SentBytes = -1; // Before what End says; Bytes where it is less than 0.
 
     // 0: as fast as it goes.
     public int ByteDelayMs;

@@ -56,8 +56,7 @@ sealed class RangeServer : IDisposable
         }
     }
 
-    // Of bodies, as sent.
-    public long Bytes => Interlocked.Read(ref m_bytes);
+    public long Bytes => Interlocked.Read(ref m_bytes); // Of bodies, as sent.
 
     public int PeakConnections => Volatile.Read(ref m_peakConnections);
 

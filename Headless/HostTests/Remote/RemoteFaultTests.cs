@@ -4,8 +4,7 @@ namespace FastPoints.HostTests.Remote;
 
 sealed class RemoteFaultTests : RemoteFixture
 {
-    // A stalled answer is waited for twice a try at most, three times.
-    const double MaxSeconds = 10;
+    const double MaxSeconds = 10; // A stalled answer is waited for twice a try at most, three times.
 
     // One such answer ends a read: asking again would bring the same, or other bytes of another version.
     static readonly Fault[] s_final =

@@ -4,8 +4,7 @@ namespace FastPoints.HostTests.Shaders;
 
 public sealed class ShaderVariantTests
 {
-    // More would take minutes: then keywords want to become uniforms.
-    private const long MaxVariants = 256;
+    private const long MaxVariants = 256; // More would take minutes: then keywords want to become uniforms.
 
     private static IEnumerable<string> Shaders() => ShaderSources.In("Packages").Concat(ShaderSources.In("UnityOutside/Tests"));
 

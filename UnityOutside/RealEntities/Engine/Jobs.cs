@@ -6,9 +6,7 @@ namespace StandIns.Scheduling
     {
         static readonly List<RegisteredJob> s_all = new List<RegisteredJob> { null };
         static readonly Dictionary<(Type, MethodInfo), int> s_ids = new Dictionary<(Type, MethodInfo), int>();
-
-        /// <summary>Kept, so that the function stays where it is.</summary>
-        readonly Delegate m_function;
+        readonly Delegate m_function; // Kept, so that the function stays where it is.
 
         RegisteredJob(Type wrapper, Type user, Delegate function)
         {

@@ -23,9 +23,7 @@ namespace Unity.Collections.LowLevel.Unsafe
         internal const int ReadWriteDisposeCheck = 0;
 
         static readonly int* s_noVersion = (int*)NativeHeap.Allocate(4, 4);
-
-        /// <summary>Never equal, so that who asks these goes on to the checks.</summary>
-        internal readonly int* versionNode => s_noVersion;
+        internal readonly int* versionNode => s_noVersion; // Never equal, so that who asks these goes on to the checks.
         internal readonly int version => -1;
 
         internal int staticSafetyId

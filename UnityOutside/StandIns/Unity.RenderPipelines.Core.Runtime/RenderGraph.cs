@@ -9,8 +9,7 @@ public enum AccessFlags { None = 0, Read = 1, Write = 2, ReadWrite = 3 }
 /// <summary>Stands for a texture while the function of a pass that uses it runs, and at no other time.</summary>
 public struct TextureHandle
 {
-    /// <summary>From 1 on: a handle that nobody gave stands for nothing.</summary>
-    internal int Index;
+    internal int Index; // From 1 on: a handle that nobody gave stands for nothing.
 
     public readonly bool IsValid() => Index > 0;
 
@@ -47,9 +46,7 @@ public class RenderGraph
 {
     static readonly List<RTHandle> s_textures = new List<RTHandle> { null };
     static readonly Dictionary<Type, object> s_data = new Dictionary<Type, object>();
-
-    /// <summary>What the pass that runs has said that it uses; null while none runs.</summary>
-    static List<int> s_used;
+    static List<int> s_used; // What the pass that runs has said that it uses; null while none runs.
     readonly List<(Action<UnsafeGraphContext> Run, List<int> Used)> m_passes =
         new List<(Action<UnsafeGraphContext>, List<int>)>();
 

@@ -3,8 +3,7 @@ namespace UnityEditor.IMGUI.Controls;
 /// <summary>A drag moves its side along x as Slider1D does: by the whole way since it was taken, in the space of then.</summary>
 public abstract class PrimitiveBoundsHandle
 {
-    /// <summary>The way in the world since the side was taken; null while nobody drags.</summary>
-    internal static float? Way;
+    internal static float? Way; // The way in the world since the side was taken; null while nobody drags.
 
     static Matrix4x4 s_space;
     static Vector3 s_start;

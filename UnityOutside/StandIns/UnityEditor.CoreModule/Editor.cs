@@ -70,9 +70,7 @@ public class SerializedObject(Object obj)
     }
 
     System.Reflection.FieldInfo FieldOf(string name) => SerializedFields.Of(m_target.GetType()).Single(f => f.Name == name);
-
-    /// <summary>What somebody has typed: it changes the fields, past properties.</summary>
-    internal static Action<Object> s_typed;
+    internal static Action<Object> s_typed; // What somebody has typed: it changes the fields, past properties.
 
     public bool ApplyModifiedProperties()
     {

@@ -78,8 +78,7 @@ public class EditorUtility
         return s_agrees;
     }
 
-    /// <summary>The answer of a test: 0, 1 for cancel, 2; -1 fails it, for nobody is to be asked.</summary>
-    internal static int s_answer = -1;
+    internal static int s_answer = -1; // The answer of a test: 0, 1 for cancel, 2; -1 fails it, for nobody is to be asked.
 
     internal static int s_asked;
 
@@ -104,8 +103,7 @@ public class EditorUtility
     }
 
     internal static string s_file = "";
-    /// <summary>What a test chooses; empty for nothing.</summary>
-    internal static string s_folder = "";
+    internal static string s_folder = ""; // What a test chooses; empty for nothing.
 
     public static string OpenFolderPanel(string title, string folder, string defaultName)
     {
@@ -132,8 +130,7 @@ public static class PrefabUtility
 /// <summary>Undo takes away what it makes.</summary>
 public static class ObjectFactory
 {
-    /// <summary>The Hierarchy's; null for none.</summary>
-    internal static Transform s_defaultParent;
+    internal static Transform s_defaultParent; // The Hierarchy's; null for none.
 
     public static GameObject CreateGameObject(string name, params Type[] types)
     {
@@ -144,8 +141,7 @@ public static class ObjectFactory
         return made;
     }
 
-    /// <summary>The content's root of the prefab that is open; null for none.</summary>
-    internal static GameObject s_stage;
+    internal static GameObject s_stage; // The content's root of the prefab that is open; null for none.
 
     /// <summary>Beneath the parent; without one in the stage that is open, where <see cref="CreateGameObject"/> leaves it in the
     /// active scene. It is selected.</summary>

@@ -16,8 +16,7 @@ public class GUILayoutUtility
 {
     sealed class Group
     {
-        /// <summary>Null for a control.</summary>
-        public readonly List<Group> Entries = new List<Group>();
+        public readonly List<Group> Entries = new List<Group>(); // Null for a control.
 
         public int Taken;
     }

@@ -11,9 +11,7 @@ public static class PngCodec
     const int ColorGray = 0, ColorRgb = 2, ColorGrayAlpha = 4, ColorRgba = 6;
     const int ChunkOverheadBytes = 12;
     const int MaxEdgePx = 16384;
-
-    /// <summary>Deflate expands one byte to 1,032 at most: a small file cannot claim a large picture.</summary>
-    const long MaxInflation = 1032;
+    const long MaxInflation = 1032; // Deflate expands one byte to 1,032 at most: a small file cannot claim a large picture.
 
     /// <param name="rgba">Row by row from the top, as are all pixels here.</param>
     public static byte[] Encode(byte[] rgba, int width, int height)

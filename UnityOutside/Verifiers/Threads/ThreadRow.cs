@@ -5,9 +5,7 @@ namespace UnityOutside.Threads;
 public sealed record ThreadRow(string Id, string Threads, string Reason, string Varied)
 {
     public const string Header = "#id\tthreads\twhy\tvaried";
-
-    // The full table has lines by hand of its own, without the blank.
-    private const string HandMark = "hand: ";
+    private const string HandMark = "hand: "; // The full table has lines by hand of its own, without the blank.
 
     public bool IsByHand => Reason.StartsWith(HandMark, StringComparison.Ordinal);
 

@@ -10,9 +10,7 @@ namespace FastPoints.Editor
     {
         public string[] Clouds = new string[0]; // Undo restores both.
         public int[] Counts = new int[0];
-
-        // By cloud: in the journals.
-        readonly Dictionary<string, int> m_applied = new Dictionary<string, int>();
+        readonly Dictionary<string, int> m_applied = new Dictionary<string, int>(); // By cloud: in the journals.
 
         void OnEnable()
         {

@@ -8,18 +8,10 @@ namespace FastPoints.Picture
     {
         // Share of the picture's width and height that stays free on each side, if points are not larger.
         const double Margin = 0.03;
-
-        // Points are never so large that the cloud gets less than half of the picture.
-        const double MaxMargin = 0.25;
-
-        // This share of the sample on each side may lie outside of a first picture ...
-        const double OutlierShare = 0.005;
-
-        // ... and what would enlarge it more than this many times stays outside.
-        const double MaxWidening = 3;
-
-        // Shifts towards the middle: each leaves half the error or less.
-        const int Iterations = 10, IterationsOfAll = 4;
+        const double MaxMargin = 0.25; // Points are never so large that the cloud gets less than half of the picture.
+        const double OutlierShare = 0.005; // This share of the sample on each side may lie outside of a first picture ...
+        const double MaxWidening = 3; // ... and what would enlarge it more than this many times stays outside.
+        const int Iterations = 10, IterationsOfAll = 4; // Shifts towards the middle: each leaves half the error or less.
 
         // An empty box counts as a point at 0, a point as a box of one unit. With fewer than eight positions of a sample the
         // box's corners are framed.

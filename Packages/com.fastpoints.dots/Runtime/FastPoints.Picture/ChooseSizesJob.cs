@@ -93,9 +93,7 @@ namespace FastPoints.Picture
         public const int TileEdgePx = 8;
         public const int PixelsPerTile = TileEdgePx * TileEdgePx;
         public const float MinPx = 1;
-
-        // For pictures of few points, which would be lost otherwise; half of it for others.
-        public const float MaxPx = 12;
+        public const float MaxPx = 12; // For pictures of few points, which would be lost otherwise; half of it for others.
 
         // With a smaller share of a picture's pixels drawn by points of one pixel, sizes may exceed half of MaxPx.
         const float SparseShare = 0.02f;

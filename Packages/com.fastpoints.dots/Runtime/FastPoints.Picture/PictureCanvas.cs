@@ -53,8 +53,7 @@ namespace FastPoints.Picture
 
         public int SamplesPerEdge { get; }
 
-        // Depth and colour: see PointDrawing.
-        public NativeArray<ulong> Pixels => m_pixels;
+        public NativeArray<ulong> Pixels => m_pixels; // Depth and colour: see PointDrawing.
 
         // Sums of blended points, see BlendedPixels. Empty before BeginBlending.
         public NativeArray<ulong> Sums => m_isBlending ? m_sums : default;
@@ -75,12 +74,8 @@ namespace FastPoints.Picture
             ? new ShadowMap { Pixels = Shadows.m_pixels, Shadow = ShadowProjection.From(eye) } : default;
 
         public NativeArray<uint> Palettes => m_palettes;
-
-        // Row by row from the top: see PointSizing.
-        public NativeArray<float> SizeOfTile => m_sizeOfTile;
-
-        // In the median tile.
-        public float TypicalSizePx => m_typicalSizePx.Value;
+        public NativeArray<float> SizeOfTile => m_sizeOfTile; // Row by row from the top: see PointSizing.
+        public float TypicalSizePx => m_typicalSizePx.Value; // In the median tile.
 
         public float MaxTileSizePx { get; private set; }
 

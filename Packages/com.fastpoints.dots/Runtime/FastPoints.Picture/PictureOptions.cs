@@ -16,9 +16,7 @@ namespace FastPoints.Picture
 
         public int WidthPx = 1280;
         public int HeightPx = 720;
-
-        // Along a pixel's edge: see PictureCanvas.
-        internal int SamplesPerEdge = 1;
+        internal int SamplesPerEdge = 1; // Along a pixel's edge: see PictureCanvas.
 
         /// <summary>Used if <see cref="Camera"/> is null.</summary>
         public ViewDirection View = ViewDirection.Auto;
@@ -31,9 +29,7 @@ namespace FastPoints.Picture
 
         public double FovDegrees = DefaultFovDegrees;
         public UpAxis UpAxis = UpAxis.Z;
-
-        // A preview of a format that does not say what is up sets UpAxis: see UpAxisGuess.
-        internal bool GuessesUpAxis;
+        internal bool GuessesUpAxis; // A preview of a format that does not say what is up sets UpAxis: see UpAxisGuess.
 
         public ColorMode Color = ColorMode.Auto;
 

@@ -50,8 +50,7 @@ namespace FastPoints.Picture
         // With automatic sizes, the size of the median tile.
         public float SizePx { get; set; }
 
-        // SizePx is still to be found from a picture of the sample.
-        public bool UsesAutoSize => m_options.IsAutoSize;
+        public bool UsesAutoSize => m_options.IsAutoSize; // SizePx is still to be found from a picture of the sample.
 
         public List<string> Assumptions { get; }
 

@@ -174,9 +174,7 @@ namespace FastPoints.Picture
         public float* SizeOfTile;
         public ulong* Pixels;
         public float* Gaps; // Of the points from the first on; null if no size is adaptive.
-
-        // Null to draw; once all is drawn, the points are added up here (BlendedPixels).
-        public ulong* Sums;
+        public ulong* Sums; // Null to draw; once all is drawn, the points are added up here (BlendedPixels).
 
         public PictureMemory(NativeArray<uint> palettes, NativeArray<float> sizeOfTile, NativeArray<ulong> pixels)
         {

@@ -11,9 +11,7 @@ namespace FastPoints.Picture
         public int WidthPx;
         public int HeightPx;
         public bool IsOrthographic;
-
-        // Pixels of one unit: at a distance of one unit (perspective), or anywhere (orthographic).
-        public double ScalePx;
+        public double ScalePx; // Pixels of one unit: at a distance of one unit (perspective), or anywhere (orthographic).
 
         public double3 X;
         public double3 Y;

@@ -34,9 +34,7 @@ namespace FastPoints.Picture
 
         // Fills a pixel without a point, most of whose neighbours have one, with their mean: a gap in a surface.
         public bool FillsHoles;
-
-        // At the edge of a surface there are three to five among the eight neighbours.
-        public const int MinAroundHole = 6;
+        public const int MinAroundHole = 6; // At the edge of a surface there are three to five among the eight neighbours.
 
         [NativeDisableParallelForRestriction] public NativeArray<uint> Colors;
 

@@ -9,9 +9,7 @@ namespace FastPoints.Picture
     static class UpAxisGuess
     {
         const double Thickness = 1.0 / 32; // Of the longest edge.
-
-        // So many times as many points lie in it as in the best plane across another axis.
-        const double MinRatio = 1.5;
+        const double MinRatio = 1.5; // So many times as many points lie in it as in the best plane across another axis.
 
         // Models lie about their origin. What is so many times its own size away from it was surveyed.
         const double MinSizesFromOrigin = 100;

@@ -21,8 +21,7 @@ namespace FastPoints.Rendering
         readonly RenderTargetIdentifier[] m_numberedTargets =
             { ShaderNames.LayerColor, ShaderNames.LayerDepth, ShaderNames.LayerNumbers };
 
-        // Of composing.
-        public MaterialPropertyBlock Properties => m_properties;
+        public MaterialPropertyBlock Properties => m_properties; // Of composing.
 
         public void Begin(CommandBuffer commands, in RenderView view)
         {

@@ -13,8 +13,7 @@ namespace FastPoints.Rendering
     // announces a camera before drawing it, so that the next frame selects for it, and then records the draws. Main thread.
     internal sealed class PointScene : IDisposable
     {
-        // A camera that was not drawn for this many frames releases its buffers.
-        const int FramesToForget = 120;
+        const int FramesToForget = 120; // A camera that was not drawn for this many frames releases its buffers.
 
         // Frames select for a camera until it was not drawn for this many: it may be drawn at half the rate of others,
         // and its nodes would be loaded and evicted in turn.

@@ -38,9 +38,7 @@ namespace FastPoints.Rendering
 
         // Into a layer of their own first.
         internal readonly bool IsLayered => EdlStrength > 0 || FillsHoles || IsLit || IsBlended || IsProgressive;
-
-        // A second time to be summed.
-        internal readonly bool IsBlended => Shape == PointShape.Splat;
+        internal readonly bool IsBlended => Shape == PointShape.Splat; // A second time to be summed.
 
         // In the size tree.
         internal readonly bool IsAdaptive => Shape != PointShape.Pixel && Size.Mode == PointSizeMode.Adaptive;

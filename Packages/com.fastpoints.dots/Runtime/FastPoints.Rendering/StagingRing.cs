@@ -87,9 +87,7 @@ namespace FastPoints.Rendering
         NativeArray<uint> m_words;
         NativeList<PoolRange> m_ranges; // In the order in which the nodes lie here.
         int m_pageCount;
-
-        // A larger node may have allocated more.
-        int m_requestedPages;
+        int m_requestedPages; // A larger node may have allocated more.
 
         public StagingBuffer() => m_ranges = new NativeList<PoolRange>(256, Allocator.Persistent);
 

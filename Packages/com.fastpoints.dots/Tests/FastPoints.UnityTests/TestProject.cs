@@ -19,9 +19,7 @@ namespace FastPoints.UnityTests
         public const string Folder = "Assets/FastPointsUnityTests";
         public const string Scene = Folder + "/main.unity";
         const string PointFilesBefore = "FastPoints.UnityTests.PointFiles";
-
-        /// <summary>How long a test waits for something that takes a second or two.</summary>
-        const double PatienceSeconds = 120;
+        const double PatienceSeconds = 120; // How long a test waits for something that takes a second or two.
 
         static string Outside => Path.Combine(Path.GetTempPath(), "fastpoints-unity-tests");
 

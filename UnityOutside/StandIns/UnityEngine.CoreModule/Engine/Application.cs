@@ -12,9 +12,7 @@ public sealed partial class Application
 
     internal static string AssetsPath;
     public static string dataPath => AssetsPath ?? AppContext.BaseDirectory + "Assets";
-
-    /// <summary>Of a test; there is none otherwise.</summary>
-    internal static string PlayerFiles;
+    internal static string PlayerFiles; // Of a test; there is none otherwise.
 
     public static string persistentDataPath => PlayerFiles;
     public static string temporaryCachePath => PlayerFiles;

@@ -9,8 +9,7 @@ namespace StandIns.Io;
 /// it makes no garbage on the main thread, as in Unity.</summary>
 sealed unsafe class OpenFile
 {
-    // A cancelled read stops after as much.
-    internal const int PartBytes = 16 << 20;
+    internal const int PartBytes = 16 << 20; // A cancelled read stops after as much.
 
     static readonly Stack<OpenFile> s_free = new Stack<OpenFile>();
 

@@ -10,9 +10,7 @@ static class SimulatedLatency
     static long s_ticks;
     static long s_reads;
     static long s_begunAt;
-
-    /// <summary>Reads since <see cref="Begin"/>.</summary>
-    internal static long Reads => Interlocked.Read(ref s_reads);
+    internal static long Reads => Interlocked.Read(ref s_reads); // Reads since Begin.
 
     internal static long Now
     {

@@ -19,8 +19,7 @@ static class WindowsFiles
         "CON PRN AUX NUL COM1 COM2 COM3 COM4 COM5 COM6 COM7 COM8 COM9 LPT1 LPT2 LPT3 LPT4 LPT5 LPT6 LPT7 LPT8 LPT9".Split(' '),
         StringComparer.OrdinalIgnoreCase);
 
-    // Descriptors that share reading alone.
-    static readonly HashSet<int> s_strict = new HashSet<int>();
+    static readonly HashSet<int> s_strict = new HashSet<int>(); // Descriptors that share reading alone.
 
     // Files that were opened to write at any time: asking the system takes a millisecond.
     static readonly HashSet<string> s_written = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
@@ -32,9 +31,7 @@ static class WindowsFiles
     }
 
     internal static bool IsOn { get; set; } = Environment.GetEnvironmentVariable("FASTPOINTS_FILES") == "windows";
-
-    /// <summary>Changes that were refused so far.</summary>
-    internal static long Refused;
+    internal static long Refused; // Changes that were refused so far.
 
     internal static void Opened(SafeFileHandle file)
     {

@@ -4,8 +4,7 @@ namespace StandIns.Memory;
 
 static unsafe class AllocationLedger
 {
-    /// <summary>Frames that TempJob memory may live.</summary>
-    internal const int TempJobFrames = 4;
+    internal const int TempJobFrames = 4; // Frames that TempJob memory may live.
 
     static readonly object s_lock = new object();
     static readonly Dictionary<IntPtr, Entry> s_entries = new Dictionary<IntPtr, Entry>();

@@ -15,8 +15,7 @@ public unsafe partial struct AtomicSafetyHandle
     [NativeDisableUnsafePtrRestriction] internal SafetyNode* m_Node;
     internal int m_Version;
     internal int m_Flags;
-    // Of the container's type; in a job's copy of the field.
-    internal int m_Name;
+    internal int m_Name; // Of the container's type; in a job's copy of the field.
 
     public static AtomicSafetyHandle Create()
     {

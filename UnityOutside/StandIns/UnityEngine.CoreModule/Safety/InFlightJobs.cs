@@ -4,8 +4,7 @@ sealed class JobAccess
 {
     public JobRecord Record;
     public bool Writes;
-    /// <summary>Type and field: Unity.Collections.NativeArray`1[System.Int32] SumJob.Values.</summary>
-    public string Container;
+    public string Container; // Type and field: Unity.Collections.NativeArray`1[System.Int32] SumJob.Values.
     public string ContainerType;
 
     public string Job => Record.Name;

@@ -32,9 +32,7 @@ sealed class JobLayout
     readonly List<FieldInfo[]> m_threadIndexPaths = new List<FieldInfo[]>();
     readonly Lazy<JobField[]> m_containers;
     readonly Lazy<int[]> m_threadIndexOffsets;
-
-    /// <summary>Why such a job cannot be scheduled, or null.</summary>
-    internal readonly string Refusal;
+    internal readonly string Refusal; // Why such a job cannot be scheduled, or null.
 
     JobLayout(Type job)
     {

@@ -12,8 +12,7 @@ sealed class JobNode(int index)
     internal Action Callback;
     internal volatile bool Done;
     internal volatile bool Waited;
-    /// <summary>In the test build: the job for Unity's rules.</summary>
-    internal JobRecord Record;
+    internal JobRecord Record; // In the test build: the job for Unity's rules.
 
     internal int Pending;
     internal JobNode NextFree;

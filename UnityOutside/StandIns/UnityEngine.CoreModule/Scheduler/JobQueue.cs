@@ -7,8 +7,7 @@ static class JobQueue
     {
         public JobNode Node;
         public int Version;
-        // Threads that may still join in.
-        public int Shares;
+        public int Shares; // Threads that may still join in.
     }
 
     static readonly object s_gate = new object();

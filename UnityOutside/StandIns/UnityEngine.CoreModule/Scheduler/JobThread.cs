@@ -6,9 +6,7 @@ static class JobThread
     [ThreadStatic] static int t_index;
     [ThreadStatic] static bool t_isWorker;
     [ThreadStatic] static int t_executing;
-
-    /// <summary>0 on the main thread, workers from 1.</summary>
-    internal static int Index => t_index;
+    internal static int Index => t_index; // 0 on the main thread, workers from 1.
 
     internal static bool IsWorker => t_isWorker;
     internal static bool IsExecuting => t_executing != 0;

@@ -7,9 +7,7 @@ static class JobWorkers
     internal static readonly int MaximumCount = Math.Max(Environment.ProcessorCount - 1, 8);
 
     internal static readonly int DefaultCount = Math.Max(1, Environment.ProcessorCount - 1);
-
-    // About 30 us: a slice of a chain follows the last one sooner than a thread wakes up.
-    const int Spins = 60;
+    const int Spins = 60; // About 30 us: a slice of a chain follows the last one sooner than a thread wakes up.
 
     static readonly object s_lock = new object();
     static int s_count = DefaultCount;

@@ -15,9 +15,7 @@ namespace FastPoints.Evaluation
     {
         // At 67 pixels per degree the kept rows are 151 KB, and a twelfth of the rows along x is filtered twice.
         const int TileWidth = 128, TileHeight = 256;
-
-        // Planes of a row before filtering: an opponent colour of the picture, one of the reference.
-        const int ColorPlanes = 3;
+        const int ColorPlanes = 3; // Planes of a row before filtering: an opponent colour of the picture, one of the reference.
 
         // Planes of a row filtered along x: Y, Cx and both parts of Cz, then the Gaussian of light and its derivatives.
         const int Gaussian = 4, Slope = 5, Curve = 6, FilteredPlanes = 7;

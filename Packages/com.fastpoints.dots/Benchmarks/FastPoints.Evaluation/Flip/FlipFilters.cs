@@ -8,9 +8,7 @@ namespace FastPoints.Evaluation
     internal struct FlipFilters : IDisposable
     {
         public const int Stride = 4;
-
-        // Width of the lines that the eye finds edges by, in degrees (the paper's w).
-        const double FeatureWidth = 0.082;
+        const double FeatureWidth = 0.082; // Width of the lines that the eye finds edges by, in degrees (the paper's w).
 
         // Contrast sensitivity as sums of Gaussians (the paper's table 1): amplitude and scale.
         const double ScaleOfY = 0.0047, ScaleOfCx = 0.0053;

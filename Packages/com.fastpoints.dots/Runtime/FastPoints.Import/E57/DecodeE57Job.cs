@@ -30,9 +30,7 @@ namespace FastPoints.E57
         // Rows of RowLength doubles.
         public NativeArray<double> Vectors;
         public int RowLength;
-
-        // For each point, 0 or an E57Rejection.
-        public NativeArray<byte> Rejections;
+        public NativeArray<byte> Rejections; // For each point, 0 or an E57Rejection.
 
         public NativeArray<byte> Scratch;
         public NativeReference<DecodeResult> Result;
@@ -292,22 +290,16 @@ namespace FastPoints.E57
 
     struct E57StreamRange
     {
-        // Logical, of a packet at or before the first byte.
-        public long PacketOffset;
-
-        // In the packets before it.
-        public long BytesBefore;
-
-        // Logical, where the packets that are read end.
-        public long End;
+        public long PacketOffset; // Logical, of a packet at or before the first byte.
+        public long BytesBefore; // In the packets before it.
+        public long End; // Logical, where the packets that are read end.
     }
 
     // Integers of any width, packed without gaps from the lowest bit of the first byte on (ASTM E2807, 9.7.2): value i takes bits
     // i*w to i*w + w - 1, where bit b is bit b % 8 of byte b / 8.
     static unsafe class E57Bits
     {
-        // After the last value: loaded by wide reads, never used.
-        public const int PaddingBytes = 16;
+        public const int PaddingBytes = 16; // After the last value: loaded by wide reads, never used.
 
         public static ulong Mask(int bits) => bits == 0 ? 0 : ulong.MaxValue >> 64 - bits;
 

@@ -4,8 +4,7 @@ namespace FastPoints.E57
 {
     sealed class E57Field
     {
-        // Fields within structures have the structures' names before theirs: "a/b".
-        public string Name;
+        public string Name; // Fields within structures have the structures' names before theirs: "a/b".
 
         public E57FieldKind Kind;
         public int Stream;
@@ -21,9 +20,7 @@ namespace FastPoints.E57
         // Value = integer * Scale + Offset; 1 and 0 for plain integers and floats.
         public double Scale = 1;
         public double Offset;
-
-        // 0 for a field with the same value in all points, -1 for strings.
-        public int Bits;
+        public int Bits; // 0 for a field with the same value in all points, -1 for strings.
 
         public bool IsInteger => Kind == E57FieldKind.Integer;
         public double MinReal => IsInteger ? math.min(Minimum * Scale, Maximum * Scale) + Offset : FloatMinimum;
@@ -131,9 +128,7 @@ namespace FastPoints.E57
     struct E57FieldRead
     {
         public E57FieldKind Kind;
-
-        // -1 for a value that no stream holds.
-        public int Stream;
+        public int Stream; // -1 for a value that no stream holds.
 
         public int Bits;
 
@@ -144,9 +139,7 @@ namespace FastPoints.E57
         public E57Target Target;
         public AttributeType ColumnType;
         public int ColumnOffsetBytes;
-
-        // For vectors: 0 to 2 for positions, 3 to 5 for normals.
-        public int Row;
+        public int Row; // For vectors: 0 to 2 for positions, 3 to 5 for normals.
 
         // For columns of integers: stored * Steps + Bias.
         public long Factor;

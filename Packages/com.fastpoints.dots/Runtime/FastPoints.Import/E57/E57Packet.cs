@@ -14,9 +14,7 @@ namespace FastPoints.E57
         public int Kind;
         public bool IsRestart;
         public int Bytes;
-
-        // In front of the bytestreams; 0 for packets without data.
-        public int HeaderBytes;
+        public int HeaderBytes; // In front of the bytestreams; 0 for packets without data.
 
         // 0 or an E57Error. Sets needsMore if the available bytes may not hold the whole header; toEnd: bytes of the section from
         // p.

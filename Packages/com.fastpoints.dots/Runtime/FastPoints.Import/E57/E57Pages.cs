@@ -120,8 +120,7 @@ namespace FastPoints.E57
     [BurstCompile]
     unsafe struct CheckE57PagesJob : IJob
     {
-        // About 1 ms.
-        public const int SlicePages = 1024;
+        public const int SlicePages = 1024; // About 1 ms.
 
         [ReadOnly] public NativeArray<uint> CrcTable;
         public NativeArray<byte> Buffer;

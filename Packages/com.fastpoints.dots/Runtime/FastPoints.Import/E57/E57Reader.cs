@@ -63,9 +63,7 @@ namespace FastPoints.E57
         }
 
         public override bool BlocksAreKnown => m_blocks.AreKnown;
-
-        // Fixed within a few thousand records and a packet or two.
-        public override bool HasFixedStride => true;
+        public override bool HasFixedStride => true; // Fixed within a few thousand records and a packet or two.
 
         public override int BlockCount => m_blocks.Count;
         public override int MaxPointsPerBlock => m_blocks.MaxPoints;
@@ -165,9 +163,7 @@ namespace FastPoints.E57
 
         public uint MajorVersion;
         public uint MinorVersion;
-
-        // In bytes of content, as XmlBytes.
-        public long XmlLogicalOffset;
+        public long XmlLogicalOffset; // In bytes of content, as XmlBytes.
 
         public int XmlBytes;
 

@@ -7,25 +7,18 @@ namespace FastPoints.E57
 {
     sealed class E57Scan
     {
-        // More bytestreams than any real prototype has.
-        public const int MaxFields = 250;
+        public const int MaxFields = 250; // More bytestreams than any real prototype has.
 
         // In the file: the list lacks scans that cannot be read.
         public int Index;
         public string Name;
         public ulong RecordsClaimed;
-
-        // Physical, of its binary section.
-        public ulong SectionOffset;
+        public ulong SectionOffset; // Physical, of its binary section.
 
         public readonly List<E57Field> Fields = new List<E57Field>();
         public E57Pose Pose = E57Pose.Identity;
-
-        // Without a pose, positions from elsewhere may have been written as those of a scanner.
-        public bool IsScannerKnown;
-
-        // In the scanner's own coordinates; empty if the file does not say.
-        public BoundsGeo BoundsClaimed = BoundsGeo.Empty;
+        public bool IsScannerKnown; // Without a pose, positions from elsewhere may have been written as those of a scanner.
+        public BoundsGeo BoundsClaimed = BoundsGeo.Empty; // In the scanner's own coordinates; empty if the file does not say.
 
         // NaN if the file does not say.
         public double2[] ColorLimits;

@@ -17,8 +17,7 @@ namespace FastPoints.E57
             Doubles,
         }
 
-        // Less than this share of a step counts as rounding of decimal scales.
-        const double GridToleranceSteps = 1e-6;
+        const double GridToleranceSteps = 1e-6; // Less than this share of a step counts as rounding of decimal scales.
 
         const double MaxNormalized = 65535;
 

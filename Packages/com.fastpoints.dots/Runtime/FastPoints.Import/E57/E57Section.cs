@@ -15,15 +15,11 @@ namespace FastPoints.E57
         const int MinCheckpointRecords = 64;
         const long MaxCheckpointBytes = 512 << 10;
         const int CheckpointsPerBlock = 8;
-
-        // Extents closer to each other than this are read as one.
-        const int GapPages = 16;
+        const int GapPages = 16; // Extents closer to each other than this are read as one.
 
         public readonly E57Scan Scan;
         public readonly List<E57Checkpoint>[] CheckpointsOfStream;
-
-        // For each stream, the logical offset behind its last packet.
-        public readonly long[] EndOfStream;
+        public readonly long[] EndOfStream; // For each stream, the logical offset behind its last packet.
 
         // Logical.
         public long DataStart;
@@ -146,21 +142,14 @@ namespace FastPoints.E57
     {
         public int Stream;
         public int PacketBytes;
-
-        // Logical.
-        public long PacketOffset;
-
-        // Of the bytestream in the packets before it.
-        public long BytesBefore;
+        public long PacketOffset; // Logical.
+        public long BytesBefore; // Of the bytestream in the packets before it.
     }
 
     sealed class E57Blocks
     {
-        // It bounds a slot's memory, whatever a file claims.
-        const int MaxBlockPages = 24 << 10;
-
-        // Records that take no bytes at all prove nothing about their number.
-        const ulong MaxRecordsWithoutBits = 65536;
+        const int MaxBlockPages = 24 << 10; // It bounds a slot's memory, whatever a file claims.
+        const ulong MaxRecordsWithoutBits = 65536; // Records that take no bytes at all prove nothing about their number.
 
         readonly List<E57Section> m_sections;
         readonly HashSet<int> m_reportedBlocks = new HashSet<int>();

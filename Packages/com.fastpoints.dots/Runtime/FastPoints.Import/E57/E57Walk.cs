@@ -13,9 +13,7 @@ namespace FastPoints.E57
     sealed class E57Walk : IDisposable
     {
         const int BufferPages = 2048;
-
-        // The first read covers all of a small file.
-        const int FirstPages = 256;
+        const int FirstPages = 256; // The first read covers all of a small file.
 
         // From one page before the expected one to two after it.
         const int GuessPages = 4;
@@ -273,31 +271,24 @@ namespace FastPoints.E57
     {
         public int Bits;
         public long Bytes;
-
-        // 0 for a stream that need not be followed.
-        public long BytesWanted;
+        public long BytesWanted; // 0 for a stream that need not be followed.
 
         // Between checkpoints, and where the next one is due.
         public long CheckpointStep;
         public long NextCheckpoint;
-
-        // Logical, behind the packet with the last wanted byte; 0 until it is found.
-        public long EndOffset;
+        public long EndOffset; // Logical, behind the packet with the last wanted byte; 0 until it is found.
     }
 
     struct E57WalkState
     {
-        // Logical, of the next packet.
-        public long Position;
+        public long Position; // Logical, of the next packet.
 
         public int StreamsLeft;
 
         // In this step.
         public int Packets;
         public int LastPacketBytes;
-
-        // An E57Error, at Position.
-        public int Error;
+        public int Error; // An E57Error, at Position.
 
         public int DamagedHeaders;
         public long FirstDamagedPage;

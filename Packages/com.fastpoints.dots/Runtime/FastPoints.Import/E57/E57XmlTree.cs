@@ -110,9 +110,7 @@ namespace FastPoints.E57
     sealed class E57Node
     {
         static readonly List<E57Node> s_none = new List<E57Node>();
-
-        // With its prefix, if it has one: "nor:normalX".
-        public readonly string Name;
+        public readonly string Name; // With its prefix, if it has one: "nor:normalX".
 
         public readonly int Line;
         public string Text = "";
@@ -127,9 +125,7 @@ namespace FastPoints.E57
         }
 
         public IReadOnlyList<E57Node> Children => m_children ?? s_none;
-
-        // "Structure", "Integer", ...; null if the element does not say.
-        public string Type => Attribute("type");
+        public string Type => Attribute("type"); // "Structure", "Integer", ...; null if the element does not say.
 
         public void Add(E57Node child) => (m_children ??= new List<E57Node>()).Add(child);
 

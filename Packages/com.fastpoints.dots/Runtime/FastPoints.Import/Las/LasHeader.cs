@@ -42,9 +42,7 @@ namespace FastPoints.Las
 
         public const string Magic = "LASF";
         public const int MaxMinorVersion = 5;
-
-        // LAS 1.0 to 1.2: no file has a shorter header.
-        public const int MinBytes = 227;
+        public const int MinBytes = 227; // LAS 1.0 to 1.2: no file has a shorter header.
 
         const int TextBytes = 32;
         const byte CompressedBit = 0x80;

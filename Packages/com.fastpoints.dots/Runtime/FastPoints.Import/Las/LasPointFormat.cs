@@ -21,9 +21,7 @@ namespace FastPoints.Las
         }
 
         public const int Count = 11;
-
-        // Formats from this one on have the 30-byte core.
-        public const int FirstExtended = 6;
+        public const int FirstExtended = 6; // Formats from this one on have the 30-byte core.
 
         // Byte 14: return number 0-2, number of returns 3-5, scan direction 6, edge of flight line 7.
         // Byte 15: class 0-4, synthetic 5, key point 6, withheld 7.

@@ -120,12 +120,8 @@ namespace FastPoints.Las
         public string Description;
         public long Offset;
         public long DataOffset;
-
-        // Present in the file; fewer than claimed if it was cut.
-        public long DataBytes;
-
-        // From the end of the file, with a 64-bit length (LAS 1.4).
-        public bool IsExtended;
+        public long DataBytes; // Present in the file; fewer than claimed if it was cut.
+        public bool IsExtended; // From the end of the file, with a 64-bit length (LAS 1.4).
 
         public bool Is(string userId, ushort recordId) => RecordId == recordId && UserId == userId;
 

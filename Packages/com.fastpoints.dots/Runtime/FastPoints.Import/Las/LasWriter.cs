@@ -59,8 +59,7 @@ namespace FastPoints.Las
             m_buffer = new byte[m_bufferPoints * recordBytes];
         }
 
-        // A batch to append may have any selection of these.
-        public PointSchema Schema => m_layout.Schema;
+        public PointSchema Schema => m_layout.Schema; // A batch to append may have any selection of these.
 
         public int RecordBytes => m_header.RecordBytes;
 
@@ -214,8 +213,7 @@ namespace FastPoints.Las
 
     internal sealed class LasWriterSettings
     {
-        // LAS 1.0 to 1.5: 0 to 5. Point formats 4 and 5 need 1.3, those from 6 on 1.4.
-        public int VersionMinor = 4;
+        public int VersionMinor = 4; // LAS 1.0 to 1.5: 0 to 5. Point formats 4 and 5 need 1.3, those from 6 on 1.4.
 
         public int PointFormat = 7;
 

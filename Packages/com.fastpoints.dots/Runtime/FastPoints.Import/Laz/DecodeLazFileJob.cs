@@ -13,22 +13,17 @@ namespace FastPoints.Laz
     [BurstCompile]
     unsafe struct DecodeLazFileJob : IJob
     {
-        // With PaddingBytes of RangeCoder behind it.
-        [ReadOnly] public NativeArray<byte> Input;
+        [ReadOnly] public NativeArray<byte> Input; // With PaddingBytes of RangeCoder behind it.
 
         public int InputBytes;
 
         // Of the columns: a file with another scale or offset is rescaled to it if that is exact.
         public PositionTransform Transform;
-
-        // An offset that is not whole steps from the grid's is rounded to the nearest that is.
-        public bool RoundsOffset;
+        public bool RoundsOffset; // An offset that is not whole steps from the grid's is rounded to the nearest that is.
 
         // The LASzip VLR's list of items, from their number on, as it must be; none for LAS.
         [ReadOnly] public NativeArray<byte> Items;
-
-        // A PointwiseChunk or LayeredChunk, configured; anything for LAS.
-        public NativeArray<byte> Decoder;
+        public NativeArray<byte> Decoder; // A PointwiseChunk or LayeredChunk, configured; anything for LAS.
 
         public NativeArray<byte> BatchRecords;
         [ReadOnly] public NativeArray<FieldCopy> Copies;
@@ -43,9 +38,7 @@ namespace FastPoints.Laz
         // Counted from the file's start; 0 starts the file.
         public long First;
         public int Count;
-
-        // Points before the range, decoded because the others depend on them.
-        public long Skip;
+        public long Skip; // Points before the range, decoded because the others depend on them.
 
         bool IsUncompressed => Compressor == LazCompressor.None;
 
@@ -226,14 +219,10 @@ namespace FastPoints.Laz
     struct LazFileState
     {
         public long PointsInFile;
-
-        // Of every chunk except the last; 0 if chunks say so themselves.
-        public long PointsOfChunks;
+        public long PointsOfChunks; // Of every chunk except the last; 0 if chunks say so themselves.
 
         public long ChunkOffset;
-
-        // Known in advance for layered chunks only.
-        public long ChunkEnd;
+        public long ChunkEnd; // Known in advance for layered chunks only.
 
         // Of the current chunk, and those that are done; both 0 before a chunk is started.
         public long ChunkPoints;

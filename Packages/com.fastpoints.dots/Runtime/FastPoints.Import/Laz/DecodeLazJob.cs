@@ -14,9 +14,7 @@ namespace FastPoints.Laz
         [ReadOnly] public NativeArray<byte> Input;
 
         [ReadOnly] public NativeArray<long> InputBytes;
-
-        // A PointwiseChunk or LayeredChunk, configured.
-        public NativeArray<byte> State;
+        public NativeArray<byte> State; // A PointwiseChunk or LayeredChunk, configured.
 
         public NativeArray<byte> BatchRecords;
         [ReadOnly] public NativeArray<FieldCopy> Copies;
@@ -34,21 +32,15 @@ namespace FastPoints.Laz
         // Counted from where the state started, like Total.
         public int First;
         public int Count;
-
-        // Points before the range, decoded because the others depend on them.
-        public int Skip;
+        public int Skip; // Points before the range, decoded because the others depend on them.
 
         public int Total;
-
-        // At most, of the input of layers.
-        public long InputPoints;
+        public long InputPoints; // At most, of the input of layers.
 
         public long ChunkPoints;
         public long ChunkBytes;
         public long FileOffset;
-
-        // The range takes the chunk to its end, so that the stream must end with it.
-        public bool IsToEnd;
+        public bool IsToEnd; // The range takes the chunk to its end, so that the stream must end with it.
 
         public void Execute()
         {
@@ -125,20 +117,14 @@ namespace FastPoints.Laz
     static class LazError
     {
         public const int None = 0;
-
-        // The input, or one of its layers, ended before the requested points.
-        public const int Truncated = 1;
+        public const int Truncated = 1; // The input, or one of its layers, ended before the requested points.
 
         // All points were decoded, but the stream does not end where its chunk does: some of them are noise.
         public const int EndMismatch = 2;
 
         // All points were decoded, and the stream has more bytes: the file claims too few, or some are noise.
         public const int TrailingBytes = 3;
-
-        // Neither its count nor its length matches the claims.
-        public const int NotAChunk = 4;
-
-        // A file's positions do not lie on the required grid.
-        public const int OffGrid = 5;
+        public const int NotAChunk = 4; // Neither its count nor its length matches the claims.
+        public const int OffGrid = 5; // A file's positions do not lie on the required grid.
     }
 }

@@ -13,17 +13,12 @@ namespace FastPoints.Laz
     [BurstCompile]
     internal unsafe struct PlanLazReadsJob : IJob
     {
-        // The chunk's header, at its start.
-        [ReadOnly] public NativeArray<byte> Input;
-
-        // Of each layer; 0 for one that is not wanted.
-        [ReadOnly] public NativeArray<int> BytesPerPoint;
+        [ReadOnly] public NativeArray<byte> Input; // The chunk's header, at its start.
+        [ReadOnly] public NativeArray<int> BytesPerPoint; // Of each layer; 0 for one that is not wanted.
 
         // At most one for each wanted layer, or one of a single byte if there is nothing to read.
         public NativeArray<ReadCommand> Commands;
-
-        // One value, whose count is set.
-        public NativeArray<ReadCommandArray> CommandArray;
+        public NativeArray<ReadCommandArray> CommandArray; // One value, whose count is set.
 
         public NativeArray<long> InputBytes;
 
@@ -94,8 +89,7 @@ namespace FastPoints.Laz
     // Of a layered chunk only the wanted layers: first the header that says where they are, then a read that a job has planned.
     sealed unsafe class LazBlockRead : SlotRead
     {
-        // About 4 ms of decoding on one core.
-        const int PointsPerSlice = 16384;
+        const int PointsPerSlice = 16384; // About 4 ms of decoding on one core.
 
         const int MaxBatchBytes = 64 << 10;
 
@@ -120,9 +114,7 @@ namespace FastPoints.Laz
         bool m_isPlanned;
         bool m_keepsStates;
         JobHandle m_copied;
-
-        // What the range continues from; null for none.
-        LazCheckpoint m_from;
+        LazCheckpoint m_from; // What the range continues from; null for none.
 
         long m_inputOffset;
 

@@ -8,14 +8,9 @@ namespace FastPoints.Laz
     // The chunks as far as they are known, and the blocks that they are read in: a chunk, or a part of one that is too long.
     sealed class LazBlocks
     {
-        // A slot holds a layered chunk whole.
-        public const long MaxLayeredChunkBytes = 1L << 29;
-
-        // A block has at least this many points, however long its records are.
-        const int MinLongChunkPoints = 1 << 16;
-
-        // A slot holds its columns, whatever a file claims.
-        const int MaxBlockBytes = 32 << 20;
+        public const long MaxLayeredChunkBytes = 1L << 29; // A slot holds a layered chunk whole.
+        const int MinLongChunkPoints = 1 << 16; // A block has at least this many points, however long its records are.
+        const int MaxBlockBytes = 32 << 20; // A slot holds its columns, whatever a file claims.
 
         readonly List<LazBlock> m_blocks = new List<LazBlock>();
         readonly HashSet<int> m_reportedBlocks = new HashSet<int>();
@@ -200,19 +195,13 @@ namespace FastPoints.Laz
     struct LazBlock
     {
         public int Chunk;
-
-        // Counted from the chunk's start.
-        public long FirstInChunk;
+        public long FirstInChunk; // Counted from the chunk's start.
 
         public long FirstPoint;
         public int Points;
-
-        // The chunk's end, except for parts of one.
-        public long EndOffset;
+        public long EndOffset; // The chunk's end, except for parts of one.
 
         public bool IsToEnd;
-
-        // From which it is decoded, or -1 for the chunk's start.
-        public int Checkpoint;
+        public int Checkpoint; // From which it is decoded, or -1 for the chunk's start.
     }
 }

@@ -16,9 +16,7 @@ namespace FastPoints.Laz
         NativeList<int> m_pages;
         NativeList<byte> m_content;
         JobHandle m_last;
-
-        // Decoded next, counted from the chunk's start.
-        public long Point;
+        public long Point; // Decoded next, counted from the chunk's start.
 
         public long FileOffset;
 

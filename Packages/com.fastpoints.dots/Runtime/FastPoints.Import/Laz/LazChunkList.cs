@@ -12,12 +12,8 @@ namespace FastPoints.Laz
         readonly Pages m_bytes = new Pages();
         readonly List<long> m_offsetOfGroup = new List<long>();
         readonly List<long> m_pointOfGroup = new List<long>();
-
-        // Null while all but the last have as many points as the first.
-        Pages m_points;
-
-        // Replaces all of the above if chunks are not contiguous.
-        List<LazChunk> m_scattered;
+        Pages m_points; // Null while all but the last have as many points as the first.
+        List<LazChunk> m_scattered; // Replaces all of the above if chunks are not contiguous.
 
         long m_firstPoints;
         long m_lastPoints;
@@ -31,8 +27,7 @@ namespace FastPoints.Laz
 
         public long MaxBytes { get; private set; }
 
-        // Each begins where the one before ends, which FirstPointOf goes by.
-        public bool AreContiguous => m_scattered == null;
+        public bool AreContiguous => m_scattered == null; // Each begins where the one before ends, which FirstPointOf goes by.
 
         public LazChunk this[int chunk]
         {
@@ -192,9 +187,7 @@ namespace FastPoints.Laz
     {
         public long Offset;
         public long Bytes;
-
-        // As the file claims, or as a walk found.
-        public long Points;
+        public long Points; // As the file claims, or as a walk found.
 
         // A model of n symbols never makes one of them cheaper than about 1.44 * (n - 1) / 32768 bits, and a point takes at least
         // the symbols of its mask and coordinates: 0.007 bits.

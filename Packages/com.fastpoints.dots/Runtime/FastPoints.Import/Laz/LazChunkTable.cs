@@ -19,14 +19,10 @@ namespace FastPoints.Laz
         // Of a file without points: the table's offset, and the table.
         public const int MinBytes = TableOffsetBytes + HeaderBytes;
         const long OffsetAtFileEnd = -1;
-
-        // At most, of two numbers for a chunk, with 15 + 15 bits modelled and 23 raw.
-        const int MaxEntryBytes = 14;
+        const int MaxEntryBytes = 14; // At most, of two numbers for a chunk, with 15 + 15 bits modelled and 23 raw.
 
         const int WindowBytes = 64 << 10;
-
-        // To start and to end.
-        const int CoderBytes = 16;
+        const int CoderBytes = 16; // To start and to end.
 
         // With the eight bytes behind it that may say where it is.
         public static long MaxBytes(long chunks) => HeaderBytes + chunks * MaxEntryBytes + CoderBytes + TableOffsetBytes;

@@ -10,9 +10,7 @@ namespace FastPoints.Laz
     sealed class LasTemplate
     {
         public readonly LasFile Las;
-
-        // Null for LAS.
-        public readonly LazFormat Laz;
+        public readonly LazFormat Laz; // Null for LAS.
 
         public LasTemplate(string path)
         {
@@ -28,8 +26,7 @@ namespace FastPoints.Laz
     // Decodes whole LAS or LAZ files of one format from memory, one at a time: in a chain of slices as far as a range goes.
     sealed unsafe class LazFileDecoder : IDisposable
     {
-        // About 4 ms of decoding on one core.
-        const int PointsPerSlice = 16384;
+        const int PointsPerSlice = 16384; // About 4 ms of decoding on one core.
 
         const int MaxBatchBytes = 64 << 10;
 

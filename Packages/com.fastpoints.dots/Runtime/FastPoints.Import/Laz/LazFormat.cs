@@ -29,27 +29,19 @@ namespace FastPoints.Laz
 
         // Each chunk has its own number, in the chunk table; 0 has been written for it as well.
         public const uint VariableChunkPoints = uint.MaxValue;
-
-        // More than any file has: a decoder's state takes 1.6 KB for each.
-        public const int MaxExtraBytes = 4096;
-
-        // Of the number of items in the VLR's data; the items follow it.
-        public const int ItemsOffset = 32;
+        public const int MaxExtraBytes = 4096; // More than any file has: a decoder's state takes 1.6 KB for each.
+        public const int ItemsOffset = 32; // Of the number of items in the VLR's data; the items follow it.
 
         const int FixedBytes = ItemsOffset + 2;
         public const int ItemBytes = 6;
 
         public LazCompressor Compressor;
-
-        // Of each chunk except the last, or VariableChunkPoints.
-        public uint ChunkPoints;
+        public uint ChunkPoints; // Of each chunk except the last, or VariableChunkPoints.
 
         public LazItem[] Items;
         public int RecordBytes;
         public string WriterVersion;
-
-        // Of layered chunks; otherwise empty.
-        public LazLayer[] Layers;
+        public LazLayer[] Layers; // Of layered chunks; otherwise empty.
 
         public bool IsLayered => Compressor == LazCompressor.LayeredChunked;
         public bool HasVariableChunks => ChunkPoints == VariableChunkPoints;

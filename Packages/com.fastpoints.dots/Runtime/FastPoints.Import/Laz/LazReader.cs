@@ -160,9 +160,7 @@ namespace FastPoints.Laz
     internal abstract class LazChunkReader : PointReader, ILasSource
     {
         internal sealed override long DecoderBytes => 512 << 10;
-
-        // Chunks up to this size are one block, unless their records are long.
-        public const int MaxBlockPoints = 1 << 20;
+        public const int MaxBlockPoints = 1 << 20; // Chunks up to this size are one block, unless their records are long.
 
         private protected LazChunkReader(LazBlocks blocks)
         {

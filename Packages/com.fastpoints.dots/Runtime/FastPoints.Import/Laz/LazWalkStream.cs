@@ -129,19 +129,14 @@ namespace FastPoints.Laz
     {
         public int Points;
         public long Bytes;
-
-        // The input does not hold the next point.
-        public bool IsStopped;
-
-        // Points that the stream's end does not confirm, when it stopped.
-        public int UncertainPoints;
+        public bool IsStopped; // The input does not hold the next point.
+        public int UncertainPoints; // Points that the stream's end does not confirm, when it stopped.
     }
 
     [BurstCompile]
     unsafe struct WalkLazJob : IJob
     {
-        // The window, with PaddingBytes of RangeCoder behind InputEnd.
-        [ReadOnly] public NativeArray<byte> Input;
+        [ReadOnly] public NativeArray<byte> Input; // The window, with PaddingBytes of RangeCoder behind InputEnd.
 
         public NativeArray<byte> State;
         public NativeArray<byte> BatchRecords;
@@ -149,9 +144,7 @@ namespace FastPoints.Laz
         // Up to here the state's stream has been consumed.
         public int InputStart;
         public int InputEnd;
-
-        // The input goes on after this piece: stop before a point that may be incomplete.
-        public bool HasMore;
+        public bool HasMore; // The input goes on after this piece: stop before a point that may be incomplete.
 
         public int BatchPoints;
         public int Points;

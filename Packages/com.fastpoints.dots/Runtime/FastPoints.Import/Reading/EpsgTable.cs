@@ -98,8 +98,6 @@ namespace FastPoints.Reading
 
         public double MetresPerUnit;
         public double VerticalMetresPerUnit;
-
-        // A letter each: E east, N north, W, S, U up, D down, - another.
-        public string Axes;
+        public string Axes; // A letter each: E east, N north, W, S, U up, D down, - another.
     }
 }

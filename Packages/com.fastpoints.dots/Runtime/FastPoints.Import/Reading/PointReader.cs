@@ -27,11 +27,8 @@ namespace FastPoints.Reading
             yield break;
         }
 
-        // The reader that this one filters, or this one.
-        internal virtual PointReader Unfiltered => this;
-
-        // Hash of its filter; 0 without one.
-        internal virtual ulong FilterHash => 0;
+        internal virtual PointReader Unfiltered => this; // The reader that this one filters, or this one.
+        internal virtual ulong FilterHash => 0; // Hash of its filter; 0 without one.
 
         // The octree that the source contains, or null. Its blocks come level by level within each page of the hierarchy.
         internal virtual SourceTree Tree => null;
@@ -126,9 +123,7 @@ namespace FastPoints.Reading
     internal readonly struct PointEstimate
     {
         public readonly double Points;
-
-        // 0 if they were counted, or the source says so.
-        public readonly double StandardError;
+        public readonly double StandardError; // 0 if they were counted, or the source says so.
 
         public PointEstimate(double points, double standardError)
         {

@@ -64,9 +64,7 @@ namespace FastPoints.Reading
         public int First;
         public int End;
         public Func<int, BlockRange> RangeOf;
-
-        // Points of the longest range, or more.
-        public int MaxPoints;
+        public int MaxPoints; // Points of the longest range, or more.
 
         public static ScanRanges Blocks(PointReader reader, int first, int end) => new ScanRanges
         {

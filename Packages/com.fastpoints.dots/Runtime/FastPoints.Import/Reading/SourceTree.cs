@@ -64,9 +64,7 @@ namespace FastPoints.Reading
     {
         public int Level;
         public int3 Cell;
-
-        // -1 for a node without points.
-        public int Block;
+        public int Block; // -1 for a node without points.
 
         public int PointCount;
 

@@ -124,8 +124,7 @@ namespace FastPoints.Reading
     // One KEYWORD[...] of well-known text (OGC 01-009, ISO 19162).
     internal sealed class WktNode
     {
-        // Text that is nested deeper than any CRS is not followed.
-        const int MaxDepth = 64;
+        const int MaxDepth = 64; // Text that is nested deeper than any CRS is not followed.
 
         public readonly string Keyword;
         public readonly List<string> Values = new List<string>();

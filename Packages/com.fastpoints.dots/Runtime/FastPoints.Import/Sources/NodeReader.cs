@@ -11,8 +11,7 @@ namespace FastPoints.Sources
     // becomes several blocks; the tree then has an entry for each, with the same cell.
     internal abstract class NodeReader : PointReader, IOctreeSource
     {
-        // Of a remote file whose length only reading it tells.
-        internal const long UnknownBytes = -2;
+        internal const long UnknownBytes = -2; // Of a remote file whose length only reading it tells.
 
         const int GuessedBytesPerPoint = 8;
 
@@ -129,9 +128,7 @@ namespace FastPoints.Sources
         public int Points;
         public long NodePoints;
         public long Offset;
-
-        // Or NodeReader.UnknownBytes.
-        public long Bytes;
+        public long Bytes; // Or NodeReader.UnknownBytes.
     }
 
     // The first few anomalies of a kind are reported one by one, the others as a count.

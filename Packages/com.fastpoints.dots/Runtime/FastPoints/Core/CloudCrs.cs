@@ -20,9 +20,7 @@ namespace FastPoints
         public double VerticalMetresPerUnit;
 
         public CloudUnits Units => new CloudUnits(MetresPerUnit, VerticalMetresPerUnit);
-
-        // GeoTIFF keys as LAS has them: directory, doubles, text; null without keys.
-        internal byte[][] GeoKeys;
+        internal byte[][] GeoKeys; // GeoTIFF keys as LAS has them: directory, doubles, text; null without keys.
 
         // What distinguishes entries in the list of a cloud's sources.
         internal bool IsSameEntryAs(CloudCrs other) => other != null && Name == other.Name && Wkt == other.Wkt &&

@@ -9,9 +9,7 @@ namespace FastPoints
         // WGS 84. On other ellipsoids a degree is up to a ten-thousandth longer or shorter.
         const double EquatorRadius = 6_378_137;
         const double EccentricitySq = 6.694379990141e-3;
-
-        // Nearer to a pole a degree of longitude has no useful length.
-        const double MaxLatitude = 89.99;
+        const double MaxLatitude = 89.99; // Nearer to a pole a degree of longitude has no useful length.
 
         /// <summary>Metres of a horizontal unit; 0 if unknown, NaN if X is a longitude and Y a latitude, in degrees.</summary>
         public double Horizontal;

@@ -18,9 +18,7 @@ namespace FastPoints
         const int NoSpaceErrno = 28; // ENOSPC, of runtimes that pass on the errno.
 
         static readonly List<Task> s_deletes = new List<Task>();
-
-        // Less for tests of what is refused until the end.
-        internal static int RetryTimeoutMs = 10000;
+        internal static int RetryTimeoutMs = 10000; // Less for tests of what is refused until the end.
 
         // Called before each change, which it may refuse: for tests on systems that refuse less than Windows.
         internal static Action<FileChange, string, string> Intercept;

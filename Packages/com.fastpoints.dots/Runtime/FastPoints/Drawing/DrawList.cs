@@ -34,9 +34,7 @@ namespace FastPoints.Drawing
 
         /// <summary>Index in <see cref="Nodes"/> of each block's node.</summary>
         public NativeArray<uint> NodeOfInstance => m_nodeOfInstance.AsArray();
-
-        // One for each bank that has something to draw.
-        internal NativeArray<BankDraw> Draws => m_draws.AsArray();
+        internal NativeArray<BankDraw> Draws => m_draws.AsArray(); // One for each bank that has something to draw.
 
         internal NativeArray<GpuClipBox> ClipBoxes => m_clipBoxes.AsArray();
 

@@ -20,9 +20,7 @@ namespace FastPoints.Drawing
         public uint NormalWord;
         public uint FirstInstance; // Of the node's first block; the others follow.
         public uint Cloud;
-
-        // Bit 0: positions are 64-bit columns; bits 1-13 and 14-31: threshold and seed of PointFade.
-        public uint Bits;
+        public uint Bits; // Bit 0: positions are 64-bit columns; bits 1-13 and 14-31: threshold and seed of PointFade.
 
         // Multiplies the points' colours: sRGB, with red, green, blue from the lowest byte.
         public uint Tint;

@@ -10,12 +10,8 @@ namespace FastPoints.Drawing
     internal unsafe struct ListBlocksJob : IJob
     {
         [ReadOnly] public NativeArray<DrawnNode> Drawn;
-
-        // By cloud number; clouds without pages are not drawn.
-        [ReadOnly] public NativeArray<DrawListCloud> Clouds;
-
-        // Empty if no size is adaptive.
-        [ReadOnly] public NativeArray<int> SizeNodeOfDrawn;
+        [ReadOnly] public NativeArray<DrawListCloud> Clouds; // By cloud number; clouds without pages are not drawn.
+        [ReadOnly] public NativeArray<int> SizeNodeOfDrawn; // Empty if no size is adaptive.
 
         public NativeList<GpuNode> Nodes;
         public NativeList<uint> NodeOfInstance;

@@ -10,9 +10,7 @@ namespace FastPoints.Drawing
     internal unsafe struct ShadowProjection
     {
         public const int EdgePx = 1024;
-
-        // The map moves by so many texels at once, and has as many to spare.
-        const int StepPx = 64;
+        const int StepPx = 64; // The map moves by so many texels at once, and has as many to spare.
 
         // Of a box's face, of which each plane of a view may cut a corner.
         const int MaxCorners = 4 + StreamView.MaxFrustumPlanes;

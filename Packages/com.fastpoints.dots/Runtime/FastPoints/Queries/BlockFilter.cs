@@ -6,8 +6,7 @@ namespace FastPoints.Queries
     // Leaves out most of a block's points that a ray misses, in floats and with room for what these round away.
     internal struct BlockFilter
     {
-        // Bound of the relative rounding error of the floats below.
-        const double Rounding = 1e-5;
+        const double Rounding = 1e-5; // Bound of the relative rounding error of the floats below.
 
         readonly PointQuery m_ray;
         readonly double3x3 m_toRay; // Two axes across the ray, and the one along it.

@@ -26,8 +26,7 @@ namespace FastPoints.Queries
             return count;
         }
 
-        // The box around all leaves, of which there are some.
-        public readonly LocalBox All => Boxes[CountOf(LeafCount) - 1];
+        public readonly LocalBox All => Boxes[CountOf(LeafCount) - 1]; // The box around all leaves, of which there are some.
 
         public readonly int TopLevel
         {
@@ -72,8 +71,7 @@ namespace FastPoints.Queries
 
     internal struct LocalBox
     {
-        // Larger than what a float rounds away.
-        const double Rounding = 1.2e-7;
+        const double Rounding = 1.2e-7; // Larger than what a float rounds away.
 
         public float3 Min;
         public float3 Max;

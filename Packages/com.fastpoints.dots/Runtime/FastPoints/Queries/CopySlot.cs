@@ -37,8 +37,7 @@ namespace FastPoints.Queries
         public bool IsOf(StreamContext stream) =>
             !stream.IsDisposed && m_node.Cloud < stream.Clouds.Count && stream.Clouds[m_node.Cloud] == m_cloud;
 
-        // Bytes that the node will have, or has.
-        public long Bytes => m_phase == Phase.Idle ? 0 : m_node.Bytes;
+        public long Bytes => m_phase == Phase.Idle ? 0 : m_node.Bytes; // Bytes that the node will have, or has.
 
         public static long BytesOf(StreamedCloud cloud, in CachedNode node) => cloud.BytesOf(node.Page, node.Node) +
             CopiedNode.BytesOfTree(cloud.Pages[node.Page].Nodes[node.Node].BlockCount);
@@ -221,8 +220,7 @@ namespace FastPoints.Queries
     // The copy of a node: boxes of its points, then its streamed planes.
     internal unsafe struct CopiedNode
     {
-        // Streamed planes beyond these cannot be read from the copy.
-        const int MaxPlanes = 16;
+        const int MaxPlanes = 16; // Streamed planes beyond these cannot be read from the copy.
 
         public int Slot; // In the cache, with its version.
         public int Version;

@@ -8,8 +8,7 @@ namespace FastPoints.Queries
     // Finds the points of one node's blocks that a query asks for: the same arithmetic for what is in memory and what was read.
     internal unsafe struct NodeSearch
     {
-        // Values that Search needs room for.
-        public const int ScratchCount = 3 * PlaneShape.MaxPointsPerBlock;
+        public const int ScratchCount = 3 * PlaneShape.MaxPointsPerBlock; // Values that Search needs room for.
 
         public QuerySpace Space;
         public BlockFilter Filter; // Undefined without one.

@@ -44,8 +44,7 @@ namespace FastPoints.Queries
                 });
         }
 
-        // To await before the next call.
-        public JobHandle Done => m_isTranscoding ? m_transcoder.Done : m_done;
+        public JobHandle Done => m_isTranscoding ? m_transcoder.Done : m_done; // To await before the next call.
 
         public bool TryContinueReads() =>
             m_isTranscoding ? m_transcoder.TryDecode() : m_planes.TrueForAll(plane => plane.Read.IsFetched);

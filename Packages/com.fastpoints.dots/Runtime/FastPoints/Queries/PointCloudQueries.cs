@@ -37,9 +37,7 @@ namespace FastPoints.Queries
         /// <summary>Whether everything that was resident in the last frame has its copy: false while they are made, and beyond
         /// the budget.</summary>
         public bool IsComplete => m_copy != null && m_copy.IsComplete;
-
-        // Whether another frame would bring copies.
-        internal bool IsCopying => m_copy != null && m_copy.IsReading;
+        internal bool IsCopying => m_copy != null && m_copy.IsReading; // Whether another frame would bring copies.
 
         /// <summary>What is in memory, for searches at once and in jobs; empty at first. It is valid until the next
         /// <see cref="Update"/>, unless a job that reads it was given to <see cref="AddReader"/>.</summary>

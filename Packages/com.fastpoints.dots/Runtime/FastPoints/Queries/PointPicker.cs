@@ -15,9 +15,7 @@ namespace FastPoints.Queries
     internal sealed class PointPicker : IDisposable
     {
         const int SlotCount = 8; // Nodes and tables that are read at the same time.
-
-        // Tables of chunks are kept between searches up to this size.
-        const long MaxHierarchyBytes = 64 << 20;
+        const long MaxHierarchyBytes = 64 << 20; // Tables of chunks are kept between searches up to this size.
 
         readonly StreamedCloud m_cloud;
         readonly PickQueue m_queue = new PickQueue();
@@ -308,8 +306,6 @@ namespace FastPoints.Queries
         // Nothing below a node is searched if its points lie nearer to each other than this share of the ray's radius: a screen
         // shows no more. 0 searches every point.
         public double FinestSpacing = 0.1;
-
-        // A search that has read this many bytes ends with what it has found.
-        public long MaxBytes = 256 << 20;
+        public long MaxBytes = 256 << 20; // A search that has read this many bytes ends with what it has found.
     }
 }

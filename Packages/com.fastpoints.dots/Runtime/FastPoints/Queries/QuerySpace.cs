@@ -6,14 +6,11 @@ namespace FastPoints.Queries
     // A query relative to one cloud, which may be moved, rotated, scaled and sheared: lengths are in world units.
     internal struct QuerySpace
     {
-        // Boxes are enlarged by this share of their coordinates, so that rounding loses no point.
-        const double Slack = 1e-14;
+        const double Slack = 1e-14; // Boxes are enlarged by this share of their coordinates, so that rounding loses no point.
 
         // Of world coordinates: a box holds its faces, and what rounding alone puts outside is on them.
         const double Rounding = 4.5e-16;
-
-        // Axes whose cosines are smaller are at right angles.
-        const double RightAngle = 1e-12;
+        const double RightAngle = 1e-12; // Axes whose cosines are smaller are at right angles.
 
         PointQuery m_query;
         double3x3 m_linear;
@@ -21,9 +18,7 @@ namespace FastPoints.Queries
         RayLocal m_local;
         double3 m_inverseDirection;
         readonly double m_alongSlack;
-
-        // World lengths of the cloud's axes if they are at right angles; otherwise 0.
-        double3 m_axisWorld;
+        double3 m_axisWorld; // World lengths of the cloud's axes if they are at right angles; otherwise 0.
 
         // From the world, relative to the centre, into the box of the query: inside, no coordinate is farther than a half from 0.
         double3x3 m_toBox;

@@ -7,11 +7,8 @@ namespace FastPoints.Queries
     // with room for what these round away.
     internal readonly struct RayBoxes
     {
-        // Floats that are summed here lose less than this share of the largest.
-        const double Rounding = 4e-6;
-
-        // In place of infinity, so that nothing becomes no number.
-        const double LargestInverse = 1e25;
+        const double Rounding = 4e-6; // Floats that are summed here lose less than this share of the largest.
+        const double LargestInverse = 1e25; // In place of infinity, so that nothing becomes no number.
 
         readonly double m_base; // Distance from which the others count.
         readonly float3 m_origin; // From the tree's corner, in CRS units.

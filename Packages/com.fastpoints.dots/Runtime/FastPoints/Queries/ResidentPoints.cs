@@ -15,9 +15,7 @@ namespace FastPoints.Queries
         [ReadOnly] internal NativeArray<ResidentCloud> Clouds;
         [ReadOnly] internal NativeArray<ResidentNode> Nodes;
         [ReadOnly] internal NativeArray<int> ChildrenOfNodes;
-
-        // Heaps of up to this many hits lie on the stack.
-        const int MaxOnStack = 16;
+        const int MaxOnStack = 16; // Heaps of up to this many hits lie on the stack.
 
         /// <summary>Finds the first point that a query asks for. Returns whether there is one.</summary>
         public bool TryFindFirst(in PointQuery query, out PointHit hit)
@@ -235,9 +233,7 @@ namespace FastPoints.Queries
         // A block's points are in Morton order, so that a part of them lies close together.
         public const int PointsPerRun = PlaneShape.MaxPointsPerBlock / RunsPerBlock;
         public const int RunsPerBlock = BoxTree.FanOut;
-
-        // What a float rounds away at the ends of the box.
-        const double Rounding = 1e-6;
+        const double Rounding = 1e-6; // What a float rounds away at the ends of the box.
 
         public readonly bool Holds(double3 local) => math.all(math.abs(local - Center) <= Half * (1 + Rounding));
 

@@ -10,8 +10,7 @@ namespace FastPoints.Store
     /// numbered as those that link to them are. Everything is checked before it is used.</summary>
     public sealed class CloudFolder : IDisposable
     {
-        // What is begun for callers that load page by page.
-        const int MaxPagesInFlight = 32;
+        const int MaxPagesInFlight = 32; // What is begun for callers that load page by page.
 
         // The uppermost pages end the hierarchy: of a web server they come with the root's, in one request.
         internal static int TailBytes = 1 << 18;

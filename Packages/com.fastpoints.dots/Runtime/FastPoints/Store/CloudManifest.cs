@@ -48,9 +48,7 @@ namespace FastPoints.Store
 
         /// <summary>By attribute.</summary>
         public Range[] Ranges;
-
-        // Null in unfinished clouds, and in those of older versions.
-        internal StoredDisplayRanges? Shown;
+        internal StoredDisplayRanges? Shown; // Null in unfinished clouds, and in those of older versions.
 
         public long NodeCount;
         public long ChunkCount;
@@ -74,14 +72,10 @@ namespace FastPoints.Store
 
         /// <summary>Metres of a vertical unit; 0 if nothing says it.</summary>
         public double VerticalMetresPerUnit;
-
-        // GeoTIFF keys as LAS has them: directory, doubles, text; null without keys.
-        internal byte[][] CrsGeoKeys;
+        internal byte[][] CrsGeoKeys; // GeoTIFF keys as LAS has them: directory, doubles, text; null without keys.
 
         internal GpsTime GpsTime;
-
-        // Where the scans were made, by PointSourceId from 1, or the only one; null where unknown.
-        internal double3[] Scanners;
+        internal double3[] Scanners; // Where the scans were made, by PointSourceId from 1, or the only one; null where unknown.
 
         public CloudCrs Crs
         {
@@ -393,9 +387,7 @@ namespace FastPoints.Store
         public string Name;
         public long FileBytes;
         public long Points;
-
-        // See SourceInfo.
-        public ulong HeadHash;
+        public ulong HeadHash; // See SourceInfo.
 
         // The file's own coordinate system, where files of several make one cloud; null if it is the cloud's.
         public CloudCrs Crs;
@@ -404,11 +396,8 @@ namespace FastPoints.Store
     // The contents of sources.json: a country has a million of them, and whoever shows it needs none.
     internal static class StoredSources
     {
-        // Sources with more coordinate systems than this share the last one.
-        public const int MaxSystems = 64;
-
-        // A million sources take about 100 MB.
-        const int MaxTextBytes = 512 << 20;
+        public const int MaxSystems = 64; // Sources with more coordinate systems than this share the last one.
+        const int MaxTextBytes = 512 << 20; // A million sources take about 100 MB.
 
         public static string ToJson(List<CloudSource> sources)
         {

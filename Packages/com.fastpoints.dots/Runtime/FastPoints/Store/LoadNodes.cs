@@ -14,9 +14,7 @@ namespace FastPoints.Store
         public const long MaxBytesPerRead = 4 << 20;
 
         const int PartsInFlight = 4;
-
-        // Those of a web server wait for it, not for a disk.
-        const int RemotePartsInFlight = 24;
+        const int RemotePartsInFlight = 24; // Those of a web server wait for it, not for a disk.
 
         /// <summary>The schema of the batch: positions, and those of the wanted attributes that the cloud has.</summary>
         public static PointSchema SchemaFor(CloudFolder folder, params string[] wanted)

@@ -18,9 +18,7 @@ namespace FastPoints.Store
         const ulong K3 = 0x8EBC6AF09C88C6E3UL;
         const ulong K4 = 0x589965CC75374CC3UL;
         public const ulong ChecksumSeed = 0; // Also chooses the point that represents a cell.
-
-        // Two independent sums make the 128 bits that prove equality.
-        public const ulong SecondSeed = 0x5851F42D4C957F2DUL;
+        public const ulong SecondSeed = 0x5851F42D4C957F2DUL; // Two independent sums make the 128 bits that prove equality.
 
         public static int PaddedBytes(int attributeBytes) => (attributeBytes + 3) & ~3;
 

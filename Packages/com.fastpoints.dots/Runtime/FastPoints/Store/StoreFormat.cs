@@ -16,8 +16,7 @@ namespace FastPoints.Store
 
         public const string ManifestName = "cloud.json";
         public const string HierarchyName = "hierarchy.bin";
-        // Planes and pages, where a cloud is one file but for its texts.
-        internal const string SingleFileName = "cloud.bin";
+        internal const string SingleFileName = "cloud.bin"; // Planes and pages, where a cloud is one file but for its texts.
 
         internal const string SourcesName = "sources.json";
         // What LAS sources have around their points, as a LAS file without points.
@@ -35,9 +34,7 @@ namespace FastPoints.Store
         public const ulong PlanesMagic = 0x53454E414C505046UL;
         public const ulong PageMagic = 0x2020454741505046UL;
         internal const int MaxPageBytes = 1 << 16; // Pages are cut so that they take no more, unless one node has more links.
-
-        // What is read of a file that claims more.
-        internal const int MaxPageBytesToRead = 1 << 26;
+        internal const int MaxPageBytesToRead = 1 << 26; // What is read of a file that claims more.
 
         /// <summary>The most points of its own that a node holds; more equal ones make a chain of nodes with one cube.</summary>
         public const int MaxPointsPerNode = 50000;

@@ -35,9 +35,7 @@ namespace FastPoints.Store
 
             /// <summary>The plane whose values it averages over what each point stands for; -1 for plain values.</summary>
             public int AverageOf = -1;
-
-            // Computed from the cloud's points, in a container of its own layer; not in its attributes.
-            internal bool IsComputed;
+            internal bool IsComputed; // Computed from the cloud's points, in a container of its own layer; not in its attributes.
 
             internal bool IsSource => AverageOf < 0 && !IsComputed;
         }

@@ -24,8 +24,7 @@ namespace FastPoints.Store
 
         public JobHandle Done { get; private set; }
 
-        // Whether jobs that depend on Done may be scheduled.
-        public bool IsFetched => m_remote == null || m_remote.IsDone;
+        public bool IsFetched => m_remote == null || m_remote.IsDone; // Whether jobs that depend on Done may be scheduled.
 
         // remote: the file, if it is on a web server.
         public void Begin(string path, long offset, long count, RemoteFile remote = null)

@@ -9,9 +9,7 @@ namespace FastPoints.Streaming
     internal sealed class CloudVersions
     {
         public const int None = -1;
-
-        // The older state goes when this share of the newer one's selected nodes is drawn.
-        const double ReadyShare = 0.95;
+        const double ReadyShare = 0.95; // The older state goes when this share of the newer one's selected nodes is drawn.
 
         readonly StreamContext m_stream;
         CloudStage m_stage;

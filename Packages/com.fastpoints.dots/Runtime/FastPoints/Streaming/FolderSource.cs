@@ -107,9 +107,7 @@ namespace FastPoints.Streaming
         internal override string PathOfComputed(int page) => StreamsComputed ? m_folder.PathOfComputed(page) : null;
 
         internal override RemoteFile RemoteOfComputed(int page) => StreamsComputed ? m_folder.RemoteOfComputed(page) : null;
-
-        // They are the last.
-        bool StreamsComputed => IsComputed(m_planes.Length - 1);
+        bool StreamsComputed => IsComputed(m_planes.Length - 1); // They are the last.
 
         internal override bool IsVerified(int page, int node, int plane) =>
             m_checked[page] != null && VerifiedPlanes.Has(m_checked[page], BitOf(node, plane));

@@ -83,9 +83,7 @@ namespace FastPoints.Streaming
         internal virtual RemoteFile RemoteOf(int page) => null;
 
         internal virtual RemoteFile RemoteOfTable(int page) => null;
-
-        // Seconds until a web server's answer begins; 0 for files.
-        internal virtual double RoundTrip => 0;
+        internal virtual double RoundTrip => 0; // Seconds until a web server's answer begins; 0 for files.
 
         // A web server did not give what was wanted: the cloud may be another by now.
         internal virtual void MarkStale() { }

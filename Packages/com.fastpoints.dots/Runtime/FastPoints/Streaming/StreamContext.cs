@@ -10,11 +10,8 @@ namespace FastPoints.Streaming
     /// thread.</summary>
     public sealed unsafe class StreamContext : IDisposable
     {
-        // A hierarchy page must be out of view for this many frames before it is unloaded.
-        const uint FramesToUnload = 300;
-
-        // Farther ahead no motion goes on as it is.
-        const int MaxRoundTripFrames = 60;
+        const uint FramesToUnload = 300; // A hierarchy page must be out of view for this many frames before it is unloaded.
+        const int MaxRoundTripFrames = 60; // Farther ahead no motion goes on as it is.
 
         readonly StreamState m_state;
         int m_unloadCloud;
@@ -38,9 +35,7 @@ namespace FastPoints.Streaming
         internal NativeArray<CloudPages> CloudPages => m_state.CloudPages;
         internal NativeReference<DrawnTotals> DrawnTotals { get; } = new NativeReference<DrawnTotals>(Allocator.Persistent);
         internal CameraMotion Motion { get; } = new CameraMotion();
-
-        // Indexed by number; null for a removed cloud.
-        internal IReadOnlyList<StreamedCloud> Clouds => m_state.Clouds;
+        internal IReadOnlyList<StreamedCloud> Clouds => m_state.Clouds; // Indexed by number; null for a removed cloud.
 
         /// <summary>Nothing outside is selected, loaded or drawn. They may change from frame to frame.</summary>
         public NativeList<ClipBox> ClipBoxes { get; } = new NativeList<ClipBox>(Allocator.Persistent);
@@ -241,8 +236,7 @@ namespace FastPoints.Streaming
 
     internal sealed class CameraMotion : IDisposable
     {
-        // A step this many times as long as the one before is a cut, not a motion.
-        const double MaxSpeedUp = 4;
+        const double MaxSpeedUp = 4; // A step this many times as long as the one before is a cut, not a motion.
 
         NativeList<StreamView> m_last = new NativeList<StreamView>(Allocator.Persistent);
         NativeList<StreamView> m_predicted = new NativeList<StreamView>(Allocator.Persistent);

@@ -40,8 +40,7 @@ namespace FastPoints.Streaming
         public int PageCount => m_pages.Length;
         public long HierarchyBytes { get; private set; }
 
-        // Valid until a page is loaded.
-        public HierarchyPage* Pages => m_pages.GetUnsafePtr();
+        public HierarchyPage* Pages => m_pages.GetUnsafePtr(); // Valid until a page is loaded.
 
         public long BytesOf(int page, int node)
         {

@@ -11,8 +11,7 @@ namespace FastPoints.Tests.Nodes
 {
     sealed class SampledPoints
     {
-        /// <summary>In order along the Morton curve, from the cube's corner.</summary>
-        public Grid3[] Positions;
+        public Grid3[] Positions; // In order along the Morton curve, from the cube's corner.
         public uint[] Priority;
         public int[] NodeOfPoint;
         public NodeDraft[] Nodes;

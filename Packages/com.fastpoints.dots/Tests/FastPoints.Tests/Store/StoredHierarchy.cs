@@ -17,9 +17,7 @@ namespace FastPoints.Tests.Store
         public bool IsInlined;
         public int PointCount = 1000;
         public readonly List<PlainNode> Children = new List<PlainNode>();
-
-        /// <summary>The parts that hang on it.</summary>
-        public readonly List<Subtree> Below = new List<Subtree>();
+        public readonly List<Subtree> Below = new List<Subtree>(); // The parts that hang on it.
 
         public PlainNode(GridCube cube) => Cube = cube;
 
@@ -38,9 +36,7 @@ namespace FastPoints.Tests.Store
     {
         public const ulong CloudId = 0x1234567890ABCDEF;
         public static readonly GridCube Root = new GridCube(default, 40);
-
-        // As if each node's planes were the same bytes: of the longest that the tests have.
-        const long PlaneBytes = 1 << 20;
+        const long PlaneBytes = 1 << 20; // As if each node's planes were the same bytes: of the longest that the tests have.
 
         /// <param name="roots">Children of a node of the part above, or the root.</param>
         public static Subtree Part(GridCube cube, int planeCount, params PlainNode[] roots)

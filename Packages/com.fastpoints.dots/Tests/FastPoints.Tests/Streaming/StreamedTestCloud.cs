@@ -16,8 +16,7 @@ namespace FastPoints.Tests.Streaming
 {
     sealed class StreamedTestCloud : IDisposable
     {
-        /// <summary>A read that never ends must not hang the tests.</summary>
-        const int MaxFrames = 2_000_000;
+        const int MaxFrames = 2_000_000; // A read that never ends must not hang the tests.
 
         public const int WidthPx = 640;
         public const int HeightPx = 360;

@@ -14,13 +14,10 @@ namespace FastPoints.Tests
         public string Format { get; private set; }
         public string Name { get; private set; }
 
-        /// <summary>Writes an own cloud into a folder; null for a sample.</summary>
-        Action<string> m_write;
+        Action<string> m_write; // Writes an own cloud into a folder; null for a sample.
 
         string m_main;
-
-        /// <summary>Below the samples: a file, or an index whose folder is the cloud; null for an own one.</summary>
-        string m_sample;
+        string m_sample; // Below the samples: a file, or an index whose folder is the cloud; null for an own one.
         bool m_isFolder;
 
         /// <summary>Done to a damaged file now and then, so that the damage gets past a checksum; or null.</summary>

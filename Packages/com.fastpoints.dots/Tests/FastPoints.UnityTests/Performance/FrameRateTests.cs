@@ -11,9 +11,7 @@ namespace FastPoints.UnityTests.Performance
     public sealed class FrameRateTests : TestProjectFixture
     {
         const int Frames = 200, WarmUpFrames = 20;
-
-        /// <summary>Enough to last longer than the frames that are measured.</summary>
-        const int Points = 5_000_000;
+        const int Points = 5_000_000; // Enough to last longer than the frames that are measured.
 
         [UnityTest, Performance]
         public IEnumerator EditorFrames_BesideAConversion_AreMeasured()

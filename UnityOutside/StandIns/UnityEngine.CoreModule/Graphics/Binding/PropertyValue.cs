@@ -15,8 +15,7 @@ struct PropertyValue
     internal PropertyKind Kind;
     internal bool IsDepth;
     internal int Int;
-    /// <summary>A float is in x.</summary>
-    internal Vector4 Vector;
+    internal Vector4 Vector; // A float is in x.
     internal Matrix4x4 Matrix;
     internal object Reference;
 

@@ -8,8 +8,7 @@ sealed unsafe class SamplerTable(GpuDevice device)
 
     readonly GpuDevice m_device = device;
     readonly Dictionary<(FilterMode, TextureWrapMode), Sampler> m_samplers = new();
-    // By the name of the sampler: of the texture, or -1.
-    readonly Dictionary<int, int> m_textureOf = new Dictionary<int, int>();
+    readonly Dictionary<int, int> m_textureOf = new Dictionary<int, int>(); // By the name of the sampler: of the texture, or -1.
 
     internal Sampler Find(ShaderResource sampler, in PropertyScope scope)
     {

@@ -7,7 +7,5 @@ readonly unsafe struct GpuAllocation(GpuMemoryBlock block, ulong offset, ulong b
     internal readonly ulong Bytes = bytes;
 
     internal bool IsCreated => Block != null;
-
-    /// <summary>Where the host sees it; null if it does not.</summary>
-    internal byte* Mapped => Block.Mapped == null ? null : Block.Mapped + Offset;
+    internal byte* Mapped => Block.Mapped == null ? null : Block.Mapped + Offset; // Where the host sees it; null if it does not.
 }

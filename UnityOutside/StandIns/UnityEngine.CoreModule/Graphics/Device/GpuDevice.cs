@@ -15,8 +15,7 @@ sealed unsafe class GpuDevice
     internal readonly GpuMemory Memory;
     internal readonly GpuQueue Queue;
     internal readonly bool IsValidated;
-    /// <summary>A storage image may be written whose format the shader does not name.</summary>
-    internal readonly bool WritesAnyFormat;
+    internal readonly bool WritesAnyFormat; // A storage image may be written whose format the shader does not name.
     internal readonly delegate* unmanaged[Cdecl]<VkCommandBuffer, PipelineBindPoint, PipelineLayout, uint, uint,
         WriteDescriptorSet*, void> PushDescriptors;
 

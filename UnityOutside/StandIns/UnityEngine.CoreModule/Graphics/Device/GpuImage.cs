@@ -11,8 +11,7 @@ sealed unsafe class GpuImage
     internal readonly int Height;
     internal readonly int Slices;
     readonly GpuAllocation m_allocation;
-    // Of one slice each, made when first asked for, and of all slices as an attachment.
-    readonly ImageView[] m_attachments;
+    readonly ImageView[] m_attachments; // Of one slice each, made when first asked for, and of all slices as an attachment.
 
     GpuImage(GpuDevice device, Image handle, in GpuAllocation allocation, in ImageCreateInfo create, bool isArray)
     {

@@ -3,8 +3,7 @@ namespace StandIns.Graphics;
 sealed unsafe class GpuMemoryBlock
 {
     internal readonly DeviceMemory Memory;
-    /// <summary>Where the host sees it; null if it does not.</summary>
-    internal readonly byte* Mapped;
+    internal readonly byte* Mapped; // Where the host sees it; null if it does not.
     internal readonly bool IsLarge;
 
     readonly ulong m_bytes;

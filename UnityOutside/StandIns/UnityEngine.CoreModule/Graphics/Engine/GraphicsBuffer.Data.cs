@@ -2,8 +2,7 @@ namespace UnityEngine;
 
 public sealed unsafe partial class GraphicsBuffer
 {
-    // So much is recorded before it is sent on its way.
-    const ulong FlushBytes = 16 << 20;
+    const ulong FlushBytes = 16 << 20; // So much is recorded before it is sent on its way.
 
     /// <summary>Copies the data on its way to the device; all indices and counts are of elements of the array.</summary>
     public void SetData(Array data) => SetData(data, 0, 0, data.Length);

@@ -2,8 +2,7 @@ namespace UnityEngine;
 
 public sealed unsafe partial class GraphicsBuffer
 {
-    // What is in a locked range before it is written; nobody may count on what was there.
-    const byte Undefined = 0xCD;
+    const byte Undefined = 0xCD; // What is in a locked range before it is written; nobody may count on what was there.
 
     int m_lockedBytes;
     bool m_isLocked;

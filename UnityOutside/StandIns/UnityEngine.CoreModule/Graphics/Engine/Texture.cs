@@ -16,9 +16,7 @@ public class Texture : Object
     public virtual TextureDimension dimension { get; set; } = TextureDimension.Tex2D;
     public FilterMode filterMode { get; set; } = FilterMode.Bilinear;
     public TextureWrapMode wrapMode { get; set; } = TextureWrapMode.Repeat;
-
-    /// <summary>RenderTexture hides <see cref="graphicsFormat"/> with one that can be set.</summary>
-    internal virtual GraphicsFormat Format => GraphicsFormat.None;
+    internal virtual GraphicsFormat Format => GraphicsFormat.None; // RenderTexture hides graphicsFormat with one that can be set.
 
     internal static Texture Find(int id)
     {

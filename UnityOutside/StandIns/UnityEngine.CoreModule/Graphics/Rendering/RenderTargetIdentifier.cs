@@ -53,9 +53,7 @@ public struct RenderTargetIdentifier : IEquatable<RenderTargetIdentifier>
     internal readonly int Slice => m_slice;
     internal readonly bool IsNone => m_type == BuiltinRenderTextureType.None;
     internal readonly bool IsCameraTarget => m_type == BuiltinRenderTextureType.CameraTarget;
-
-    /// <summary>The name, or -1.</summary>
-    internal readonly int NameId => m_type == BuiltinRenderTextureType.PropertyName ? m_id : -1;
+    internal readonly int NameId => m_type == BuiltinRenderTextureType.PropertyName ? m_id : -1; // The name, or -1.
 
     /// <summary>The texture itself; null for a name.</summary>
     internal readonly Texture Texture => m_type == BuiltinRenderTextureType.RenderTexture ? Texture.Find(m_id) : null;

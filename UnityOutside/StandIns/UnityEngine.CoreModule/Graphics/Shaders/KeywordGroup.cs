@@ -2,8 +2,7 @@ namespace StandIns.Graphics;
 
 sealed class KeywordGroup
 {
-    /// <summary>The names; null for none.</summary>
-    internal readonly string[] Keywords;
+    internal readonly string[] Keywords; // The names; null for none.
     internal readonly bool IsLocal;
     readonly string m_stage;
 

@@ -6,8 +6,7 @@ readonly struct PipelineKey : IEquatable<PipelineKey>
     internal readonly PrimitiveTopology Topology;
     internal readonly Format Depth;
     internal readonly int ColorCount;
-    // 16 bits a target.
-    readonly ulong m_colors;
+    readonly ulong m_colors; // 16 bits a target.
 
     internal PipelineKey(RenderTargets targets, in FixedState state, PrimitiveTopology topology)
     {

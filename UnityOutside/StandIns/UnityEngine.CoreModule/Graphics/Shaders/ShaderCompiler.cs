@@ -8,8 +8,7 @@ namespace StandIns.Graphics;
 static class ShaderCompiler
 {
     const string Program = "glslangValidator";
-    // 1.3 as the target is broken for HLSL in glslang 12.
-    const string Target = "vulkan1.1";
+    const string Target = "vulkan1.1"; // 1.3 as the target is broken for HLSL in glslang 12.
     // What Unity defines for Vulkan on a desktop, and one name to tell this compiler.
     const string Platform = "#define SHADER_API_VULKAN 1\n#define SHADER_API_DESKTOP 1\n#define UNITY_REVERSED_Z 1\n"
         + "#define UNITY_UV_STARTS_AT_TOP 1\n#define UNITY_NEAR_CLIP_VALUE 1.0\n#define UNITY_RAW_FAR_CLIP_VALUE 0.0\n"

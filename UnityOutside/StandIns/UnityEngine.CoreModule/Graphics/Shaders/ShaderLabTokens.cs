@@ -13,9 +13,7 @@ sealed class ShaderLabTokens
     }
 
     internal bool IsAtEnd => m_at == m_tokens.Count;
-
-    /// <summary>The next word, not yet taken; empty at the end.</summary>
-    internal string Next => IsAtEnd ? "" : m_tokens[m_at].Text;
+    internal string Next => IsAtEnd ? "" : m_tokens[m_at].Text; // The next word, not yet taken; empty at the end.
 
     internal int Line => m_tokens.Count == 0 ? 0 : m_tokens[Math.Max(0, m_at - 1)].Line;
 

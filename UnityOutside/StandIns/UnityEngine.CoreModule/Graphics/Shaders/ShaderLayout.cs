@@ -2,8 +2,7 @@ namespace StandIns.Graphics;
 
 sealed unsafe class ShaderLayout
 {
-    // What every device takes by vkCmdPushDescriptorSetKHR.
-    const int MaxResources = 32;
+    const int MaxResources = 32; // What every device takes by vkCmdPushDescriptorSetKHR.
 
     internal readonly ShaderResource[] Resources;
     internal readonly PipelineLayout Pipeline;

@@ -9,8 +9,7 @@ sealed class ShaderMember(string name, int offset)
     internal bool IsFloat;
     internal int Columns = 1;
     internal int Rows = 1;
-    /// <summary>Elements of an array, <see cref="Stride"/> bytes apart; 1 if it is none.</summary>
-    internal int Count = 1;
+    internal int Count = 1; // Elements of an array, Stride bytes apart; 1 if it is none.
     internal int Stride;
 
     internal int End => Offset + (Count - 1) * Stride + (Columns > 1 ? Columns * 16 : Rows * 4);

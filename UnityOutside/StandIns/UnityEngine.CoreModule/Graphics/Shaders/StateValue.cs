@@ -3,8 +3,7 @@ namespace StandIns.Graphics;
 readonly struct StateValue
 {
     readonly int m_number;
-    // One more than the property's, so that the default is none.
-    readonly int m_name;
+    readonly int m_name; // One more than the property's, so that the default is none.
 
     StateValue(int number, int name) => (m_number, m_name) = (number, name);
 

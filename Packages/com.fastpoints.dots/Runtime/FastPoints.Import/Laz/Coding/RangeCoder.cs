@@ -13,9 +13,7 @@ namespace FastPoints.Laz
     {
         /// <summary>Readable bytes behind every input: more than the items of one point can take between two checks.</summary>
         public const int PaddingBytes = 256;
-
-        // Bytes are taken until the length is this or more.
-        public const uint MinLength = 1u << 24;
+        public const uint MinLength = 1u << 24; // Bytes are taken until the length is this or more.
 
         /// <summary>Starts a stream: its first four bytes are the value. No encoder writes four bytes of ones, which would be
         /// the whole length: they become the largest value below it.</summary>

@@ -7,9 +7,7 @@ namespace FastPoints.Laz
         public uint Value;
         public uint Length;
         public byte* Next;
-
-        // A decoder that has passed it has read foreign bytes.
-        public byte* End;
+        public byte* End; // A decoder that has passed it has read foreign bytes.
 
         public long Offset;
 

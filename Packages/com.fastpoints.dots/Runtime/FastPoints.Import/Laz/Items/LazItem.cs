@@ -21,9 +21,7 @@ namespace FastPoints.Laz
         public int Version;
         public int Bytes;
         public int RecordOffset;
-
-        // POINT14 and what goes with it.
-        public bool IsLayered => Type >= LazItemType.Point14;
+        public bool IsLayered => Type >= LazItemType.Point14; // POINT14 and what goes with it.
 
         // 0 if any number above 0 is valid.
         public static int FixedBytes(LazItemType type) => type switch

@@ -16,14 +16,10 @@ namespace FastPoints.Laz
         public int MaxInputBytesPerPoint;
         public int FollowsChannel;
         public int IsWanted;
-
-        // 0: all points equal the first.
-        public int HasBytes;
+        public int HasBytes; // 0: all points equal the first.
 
         public long ContextsOffset;
-
-        // Bit c is set if context c is in use.
-        public int UsedContexts;
+        public int UsedContexts; // Bit c is set if context c is in use.
 
         public int Current;
 

@@ -181,8 +181,7 @@ namespace FastPoints.Nodes
     /// <summary>The progress of an <see cref="OrderChunkJob"/> between two slices, and its working memory.</summary>
     internal struct OrderScratch : IDisposable
     {
-        // Most buckets have fewer points: memory for more is freed.
-        const int KeptPoints = 1 << 16;
+        const int KeptPoints = 1 << 16; // Most buckets have fewer points: memory for more is freed.
 
         public enum Stage
         {

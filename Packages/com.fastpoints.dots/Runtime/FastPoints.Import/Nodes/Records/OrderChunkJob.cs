@@ -37,18 +37,14 @@ namespace FastPoints.Nodes
 
         public const int MaxBuckets = 1 << 3 * MaxLevels;
         const int MaxLevels = 4;
-
-        // Points to a bucket, in a surface: a level has four times the buckets.
-        const int PointsOfBucket = 2048;
+        const int PointsOfBucket = 2048; // Points to a bucket, in a surface: a level has four times the buckets.
 
         // Below this, digits are shorter: counters would take as long as the points.
         const int FewPoints = 2048;
         const int LongDigitBits = 11;
         const int ShortDigitBits = 8;
         const int InsertedPoints = 48;
-
-        // This many records are copied, then examined while they are in the cache.
-        const int PointsOfBatch = 256;
+        const int PointsOfBatch = 256; // This many records are copied, then examined while they are in the cache.
 
         public RecordPages Pages;
         public RecordLayout Layout;

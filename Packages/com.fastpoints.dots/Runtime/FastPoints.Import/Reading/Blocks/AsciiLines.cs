@@ -148,16 +148,11 @@ namespace FastPoints.Reading
     // Counted without knowing whether the segment starts within a line. Blank lines do not count.
     struct AsciiRowCount
     {
-        // Lines whose first character lies in the segment, behind its first line end.
-        public int RowsAfterFirstEnd;
-
-        // A line of this segment unless it started earlier.
-        public bool HasTextBeforeFirstEnd;
+        public int RowsAfterFirstEnd; // Lines whose first character lies in the segment, behind its first line end.
+        public bool HasTextBeforeFirstEnd; // A line of this segment unless it started earlier.
 
         public bool HasLineEnd;
-
-        // The next segment starts within a line.
-        public bool EndsInText;
+        public bool EndsInText; // The next segment starts within a line.
     }
 
     // Counts the lines of a text file up to the last point's, several segments at a time. A segment's count does not depend on

@@ -15,12 +15,8 @@ namespace FastPoints.Reading
     {
         public const int Count = 2048;
         public const int SegmentBytes = 16 << 10;
-
-        // In a smaller file, counting all lines is about as fast.
-        public const long MinBytes = 2L * Count * SegmentBytes;
-
-        // If each takes long, together they take as long as one.
-        const int Slots = 32;
+        public const long MinBytes = 2L * Count * SegmentBytes; // In a smaller file, counting all lines is about as fast.
+        const int Slots = 32; // If each takes long, together they take as long as one.
 
         const uint OrderSeed = 1;
 

@@ -91,9 +91,7 @@ namespace FastPoints.Reading
 
         /// <summary>Offset of the error in the file.</summary>
         public long ErrorOffset;
-
-        // The actual hash, if another was expected.
-        internal ulong ErrorGot;
+        internal ulong ErrorGot; // The actual hash, if another was expected.
     }
 
     // Decoding continues from it in any slot with the same reader and attributes. Who requested it disposes it.

@@ -95,9 +95,7 @@ namespace FastPoints.Reading
         [WriteOnly] public NativeArray<byte> Output;
         public int Wanted;
         public bool IsFirst;
-
-        // A GCHandle of a DecompressorHandle: jobs hold no references.
-        public long Handle;
+        public long Handle; // A GCHandle of a DecompressorHandle: jobs hold no references.
 
         public NativeReference<DecompressState> State;
 

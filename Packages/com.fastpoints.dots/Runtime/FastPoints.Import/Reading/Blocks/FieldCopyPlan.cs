@@ -113,18 +113,12 @@ namespace FastPoints.Reading
     internal struct PointField
     {
         public string Name;
-
-        // Bit fields are UInt8.
-        public readonly AttributeType Type;
+        public readonly AttributeType Type; // Bit fields are UInt8.
 
         public int ByteOffset;
         public readonly int BitShift;
-
-        // 0 for a value of whole bytes.
-        public readonly int BitWidth;
-
-        // Value = stored * Scale + Offset; 1 and 0 unless the file says otherwise.
-        public readonly double Scale;
+        public readonly int BitWidth; // 0 for a value of whole bytes.
+        public readonly double Scale; // Value = stored * Scale + Offset; 1 and 0 unless the file says otherwise.
 
         public readonly double Offset;
 

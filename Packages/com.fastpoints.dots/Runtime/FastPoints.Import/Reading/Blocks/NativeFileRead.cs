@@ -10,8 +10,7 @@ namespace FastPoints.Reading
     // One segment of a file, or several with one request: at most one is in flight, into a buffer that is reused.
     sealed unsafe class NativeFileRead : IDisposable
     {
-        // Bytes behind the data that jobs may overwrite with an end mark, or load and ignore.
-        public const int PaddingBytes = 16;
+        public const int PaddingBytes = 16; // Bytes behind the data that jobs may overwrite with an end mark, or load and ignore.
 
         readonly Allocator m_allocator;
         NativeArray<byte> m_buffer;

@@ -36,9 +36,7 @@ namespace FastPoints.Reading
     {
         // Measured beside 16,384 and 65,536: blocks in flight stay in the caches, and there are not too many of them.
         const int MaxBlockPoints = 32768;
-
-        // Records of many fields come in shorter blocks, so that a slot's memory stays small.
-        const int MaxBlockBytes = 4 << 20;
+        const int MaxBlockBytes = 4 << 20; // Records of many fields come in shorter blocks, so that a slot's memory stays small.
 
         readonly SourceHandle m_file;
         readonly int m_blockPoints;

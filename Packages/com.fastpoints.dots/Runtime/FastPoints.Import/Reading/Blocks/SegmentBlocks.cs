@@ -26,9 +26,7 @@ namespace FastPoints.Reading
         public override long OrderOfBlock(int block) => Blocks[block].OffsetBytes;
 
         public override long BytesOfRange(BlockRange range) => range.Count == 0 ? 0 : Blocks[range.Block].Bytes;
-
-        // Where the last line may end.
-        private protected virtual int BytesBehindBlock => 0;
+        private protected virtual int BytesBehindBlock => 0; // Where the last line may end.
 
         internal override void ListPieces(BlockRange range, List<FilePiece> pieces)
         {
@@ -108,11 +106,7 @@ namespace FastPoints.Reading
         public int Bytes;
         public long FirstPoint;
         public int Points;
-
-        // Text: lines of the block before the points.
-        public int RowsBefore;
-
-        // Text: the block starts within a line of an earlier block.
-        public bool StartsInRow;
+        public int RowsBefore; // Text: lines of the block before the points.
+        public bool StartsInRow; // Text: the block starts within a line of an earlier block.
     }
 }

@@ -231,14 +231,10 @@ namespace FastPoints.Reading
         public long FileBytes;
         public ulong HeadHash;
         public BoundsGeo Bounds;
-
-        // Shared by all tiles with equal schemas.
-        public PointSchema Schema;
+        public PointSchema Schema; // Shared by all tiles with equal schemas.
 
         public PositionTransform Transform;
-
-        // A header gave the blocks: the reader can be closed and reopened.
-        public bool IsKnown;
+        public bool IsKnown; // A header gave the blocks: the reader can be closed and reopened.
 
         public bool HasFixedStride;
         public int RecordBytes;
@@ -248,9 +244,7 @@ namespace FastPoints.Reading
         public long FirstPoint;
         public long Points;
         public PointReader Reader;
-
-        // Tiles of one system share the object.
-        public CloudCrs Crs;
+        public CloudCrs Crs; // Tiles of one system share the object.
 
         // It may hold a file's handle.
         public bool IsOpen;

@@ -11,20 +11,15 @@ namespace FastPoints.Reading
     [BurstCompile]
     unsafe struct FillTileColumnsJob : IJobFor
     {
-        // A piece takes less than a millisecond of managed code.
-        public const int PointsPerPiece = 1 << 14;
+        public const int PointsPerPiece = 1 << 14; // A piece takes less than a millisecond of managed code.
 
         const int BatchLength = ColumnValues.BatchLength;
 
         [ReadOnly] public NativeArray<byte> Input;
         [ReadOnly] public NativeReference<DecodeResult> Decoded;
         [ReadOnly] public NativeArray<TileColumn> Columns;
-
-        // Points that both input and output can hold.
-        public int Capacity;
-
-        // Pieces write to disjoint rows.
-        [NativeDisableParallelForRestriction] public NativeArray<byte> Output;
+        public int Capacity; // Points that both input and output can hold.
+        [NativeDisableParallelForRestriction] public NativeArray<byte> Output; // Pieces write to disjoint rows.
 
         public static int PieceCount(int points) => (points + PointsPerPiece - 1) / PointsPerPiece;
 

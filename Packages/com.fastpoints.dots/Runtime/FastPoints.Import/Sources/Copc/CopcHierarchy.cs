@@ -13,8 +13,7 @@ namespace FastPoints.Sources
     // has.
     sealed class CopcHierarchy
     {
-        // 2,048 entries.
-        const int PieceBytes = 64 << 10;
+        const int PieceBytes = 64 << 10; // 2,048 entries.
 
         const int MaxWarnings = 8;
 
@@ -199,9 +198,7 @@ namespace FastPoints.Sources
     {
         public const int Bytes = 32;
         public const int PageCount = -1;
-
-        // The cells of deeper nodes do not fit into an int.
-        public const int MaxLevel = 30;
+        public const int MaxLevel = 30; // The cells of deeper nodes do not fit into an int.
 
         public int Level;
         public int3 Cell;

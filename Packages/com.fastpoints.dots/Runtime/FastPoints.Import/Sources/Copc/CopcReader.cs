@@ -126,9 +126,7 @@ namespace FastPoints.Sources
         public const int Bytes = 160;
 
         const int FieldBytes = 72;
-
-        // In CRS units, like all lengths here.
-        public double3 Center;
+        public double3 Center; // In CRS units, like all lengths here.
 
         public double HalfSize;
         public double Spacing;

@@ -15,27 +15,13 @@ namespace FastPoints.Sources
     sealed class EptHierarchy
     {
         const string HierarchyFolder = "ept-hierarchy";
-
-        // Room for 1.5 million nodes; writers begin new pages long before.
-        const int MaxPageBytes = 32 << 20;
-
-        // About a millisecond of parsing.
-        const int SliceBytes = 128 << 10;
-
-        // More nodes and pages than the largest clouds have: it bounds the memory of a hierarchy.
-        const int MaxNodes = 1 << 21;
-
-        // A compressed node is read whole.
-        const long MaxCompressedBytes = 1L << 28;
-
-        // Bytes from one byte of a zstandard frame: a block of 128 KiB takes 4.
-        const long MaxZstandardRatio = 1 << 15;
-
-        // Of a remote node, whose file is not looked up.
-        const long MaxRemotePoints = 1 << 22;
-
-        // Looked up together: adding them takes far less than a millisecond of the main thread.
-        const int StepNodes = 256;
+        const int MaxPageBytes = 32 << 20; // Room for 1.5 million nodes; writers begin new pages long before.
+        const int SliceBytes = 128 << 10; // About a millisecond of parsing.
+        const int MaxNodes = 1 << 21; // More nodes and pages than the largest clouds have: it bounds the memory of a hierarchy.
+        const long MaxCompressedBytes = 1L << 28; // A compressed node is read whole.
+        const long MaxZstandardRatio = 1 << 15; // Bytes from one byte of a zstandard frame: a block of 128 KiB takes 4.
+        const long MaxRemotePoints = 1 << 22; // Of a remote node, whose file is not looked up.
+        const int StepNodes = 256; // Looked up together: adding them takes far less than a millisecond of the main thread.
 
         readonly EptIndex m_index;
         readonly EptReader m_reader;
@@ -263,9 +249,7 @@ namespace FastPoints.Sources
     {
         [ReadOnly] public NativeArray<byte> Text;
         public int TextBytes;
-
-        // The slice ends after this many bytes, between two entries.
-        public int SliceBytes;
+        public int SliceBytes; // The slice ends after this many bytes, between two entries.
 
         public NativeReference<EptPageState> State;
         public NativeList<EptEntry> Entries;
@@ -389,22 +373,16 @@ namespace FastPoints.Sources
     internal struct EptPageState
     {
         public int At;
-
-        // Including those without a valid key.
-        public int Entries;
+        public int Entries; // Including those without a valid key.
 
         public bool IsDone;
-
-        // The text stops being such a page at At; earlier entries are valid.
-        public bool IsBroken;
+        public bool IsBroken; // The text stops being such a page at At; earlier entries are valid.
     }
 
     internal struct EptEntry
     {
         public const long PageCount = -1;
-
-        // The cells of deeper nodes do not fit into an int.
-        public const int MaxLevel = 30;
+        public const int MaxLevel = 30; // The cells of deeper nodes do not fit into an int.
 
         // -1 if the key is invalid.
         public int Level;

@@ -8,8 +8,7 @@ namespace FastPoints.Sources
 {
     sealed class EptIndex
     {
-        // Longer records than any cloud has.
-        const int MaxRecordBytes = 1 << 14;
+        const int MaxRecordBytes = 1 << 14; // Longer records than any cloud has.
 
         const int DefaultSpan = 128;
 

@@ -20,9 +20,7 @@ namespace FastPoints.Sources
 
         readonly EptHierarchy m_hierarchy;
         readonly int m_blockPoints;
-
-        // The LAZ file of one node, as the template of the others; null for other data types.
-        readonly LasTemplate m_template;
+        readonly LasTemplate m_template; // The LAZ file of one node, as the template of the others; null for other data types.
 
         EptReader(EptIndex index, LasTemplate template) : base(index.Info, index.Cube, index.Spacing)
         {

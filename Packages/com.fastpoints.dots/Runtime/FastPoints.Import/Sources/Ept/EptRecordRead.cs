@@ -11,9 +11,7 @@ namespace FastPoints.Sources
     unsafe struct DecodeEptJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Records;
-
-        // State of decompression; if broken, there are no records.
-        [ReadOnly] public NativeReference<DecompressState> State;
+        [ReadOnly] public NativeReference<DecompressState> State; // State of decompression; if broken, there are no records.
 
         [ReadOnly] public NativeArray<FieldCopy> Copies;
         public NativeArray<byte> Columns;
@@ -52,11 +50,8 @@ namespace FastPoints.Sources
     // Nodes of records, plain or in a zstandard frame, which is decompressed piece by piece, as far as the range goes.
     sealed class EptRecordRead : NodeRead
     {
-        // About a millisecond of copying.
-        const int PointsPerSlice = 1 << 16;
-
-        // Less than a millisecond of decompression.
-        const int BufferBytes = 256 << 10;
+        const int PointsPerSlice = 1 << 16; // About a millisecond of copying.
+        const int BufferBytes = 256 << 10; // Less than a millisecond of decompression.
 
         readonly DecompressorHandle m_decompressor;
         readonly int m_recordBytes;

@@ -126,9 +126,7 @@ namespace FastPoints.Sources
         public int3 Cell;
         public long Claimed;
         public string Path;
-
-        // -1 if there is no such file.
-        public long Bytes;
+        public long Bytes; // -1 if there is no such file.
 
         public long PointsOfLas;
         public string Problem;

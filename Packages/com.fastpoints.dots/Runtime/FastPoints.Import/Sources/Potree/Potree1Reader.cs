@@ -20,15 +20,9 @@ namespace FastPoints.Sources
     {
         const int RecordBytes = 5;
         const int StepNodes = 32;
-
-        // For an .hrc file; 8^7 nodes take less.
-        const int MaxHierarchyBytes = 16 << 20;
-
-        // For a LAS or LAZ node, which a slot reads whole.
-        const long MaxLasBytes = 1 << 29;
-
-        // How far rounding may move corners above a grid point, in steps.
-        const double CornerTolerance = 1e-5;
+        const int MaxHierarchyBytes = 16 << 20; // For an .hrc file; 8^7 nodes take less.
+        const long MaxLasBytes = 1 << 29; // For a LAS or LAZ node, which a slot reads whole.
+        const double CornerTolerance = 1e-5; // How far rounding may move corners above a grid point, in steps.
 
         struct Parent
         {

@@ -25,9 +25,7 @@ namespace FastPoints.Sources
 
         // More than Brotli packs into a byte, even equal points: 20,000 equal points take some 60 bytes.
         const int MaxPointsPerByte = 1000;
-
-        // A slot holds a node's Brotli stream whole.
-        const long MaxStreamBytes = 1 << 27;
+        const long MaxStreamBytes = 1 << 27; // A slot holds a node's Brotli stream whole.
 
         readonly string m_hierarchyPath;
         readonly long m_hierarchyBytes;

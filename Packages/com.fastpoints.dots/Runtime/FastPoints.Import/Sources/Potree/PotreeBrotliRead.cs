@@ -13,8 +13,7 @@ namespace FastPoints.Sources
     // decompressed and spread over the columns piece by piece, as far as the last wanted attribute.
     sealed class PotreeBrotliRead : NodeRead
     {
-        // About a millisecond of Brotli.
-        const int BufferBytes = 256 << 10;
+        const int BufferBytes = 256 << 10; // About a millisecond of Brotli.
 
         struct EncodedAttribute
         {
@@ -162,11 +161,8 @@ namespace FastPoints.Sources
     [BurstCompile]
     unsafe struct DecodePotreeAttributeJob : IJob
     {
-        // The upper 16 bits of x, y and z as a Morton code, then the lower 16.
-        public const int PositionBytes = 16;
-
-        // 16 bits of red, green and blue as a Morton code.
-        public const int ColorBytes = 8;
+        public const int PositionBytes = 16; // The upper 16 bits of x, y and z as a Morton code, then the lower 16.
+        public const int ColorBytes = 8; // 16 bits of red, green and blue as a Morton code.
 
         [ReadOnly] public NativeArray<byte> Buffer;
         [ReadOnly] public NativeArray<FieldCopy> Copies;
@@ -242,11 +238,8 @@ namespace FastPoints.Sources
     // Columns that are more than a copy; -1 for unwanted ones. Blittable.
     unsafe struct PotreeSpecialColumns
     {
-        // First byte of X, Y, Z in the batch.
-        public int3 Position;
-
-        // First byte of NormalX, NormalY, NormalZ in the batch, if they are packed in two bytes.
-        public int3 Normal;
+        public int3 Position; // First byte of X, Y, Z in the batch.
+        public int3 Normal; // First byte of NormalX, NormalY, NormalZ in the batch, if they are packed in two bytes.
 
         public int NormalRecordByte;
         public bool IsOctahedral;

@@ -6,8 +6,7 @@ namespace FastPoints.Sources
 {
     sealed class PotreeLayout
     {
-        // Longer records than any cloud has.
-        const int MaxRecordBytes = 1 << 14;
+        const int MaxRecordBytes = 1 << 14; // Longer records than any cloud has.
 
         readonly List<PotreeAttribute> m_attributes = new List<PotreeAttribute>();
         readonly PointFields m_fields = new PointFields();
@@ -106,9 +105,7 @@ namespace FastPoints.Sources
 
         public string Name;
         public PotreeAttributeKind Kind;
-
-        // For a normal in two bytes, that of its column.
-        public AttributeType Type;
+        public AttributeType Type; // For a normal in two bytes, that of its column.
 
         public PointAttribute[] Columns;
         public int Bytes;

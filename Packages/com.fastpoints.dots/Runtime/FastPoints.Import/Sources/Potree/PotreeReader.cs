@@ -10,23 +10,14 @@ namespace FastPoints.Sources
     // short ones are holes with warnings. Each byte of a hierarchy is used only once, so that loops end.
     internal abstract class PotreeReader : NodeReader
     {
-        // Cells of deeper levels do not fit 32-bit coordinates; converters stop far above.
-        internal const int MaxLevels = 30;
-
-        // More than the largest clouds have: it bounds the memory of a hierarchy.
-        internal const int MaxNodes = 1 << 21;
-
-        // Limit of a block that can be split.
-        internal const int MaxBlockPoints = 1 << 20;
-
-        // Limit of a node that cannot be split.
-        internal const int MaxNodePoints = 1 << 22;
+        internal const int MaxLevels = 30; // Cells of deeper levels do not fit 32-bit coordinates; converters stop far above.
+        internal const int MaxNodes = 1 << 21; // More than the largest clouds have: it bounds the memory of a hierarchy.
+        internal const int MaxBlockPoints = 1 << 20; // Limit of a block that can be split.
+        internal const int MaxNodePoints = 1 << 22; // Limit of a node that cannot be split.
 
         // In the columns of a node that cannot be cut: it bounds a slot, whatever a file claims.
         internal const int MaxNodeBytes = 1 << 27;
-
-        // In the records of a block that can be cut.
-        const int MaxBlockBytes = 1 << 26;
+        const int MaxBlockBytes = 1 << 26; // In the records of a block that can be cut.
 
         private protected PotreeReader(SourceInfo info, BoundsGeo cube, double spacing) : base(info, cube, spacing) { }
 

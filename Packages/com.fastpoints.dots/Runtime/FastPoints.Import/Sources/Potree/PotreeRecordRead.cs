@@ -11,8 +11,7 @@ namespace FastPoints.Sources
     // Potree 1 BIN and Potree 2 DEFAULT.
     sealed class PotreeRecordRead : NodeRead
     {
-        // About a millisecond of decoding.
-        const int PointsPerSlice = 1 << 17;
+        const int PointsPerSlice = 1 << 17; // About a millisecond of decoding.
 
         readonly PotreeReader m_reader;
         readonly PotreeSpecialColumns m_special;
@@ -70,9 +69,7 @@ namespace FastPoints.Sources
         public int RecordBytes;
         public int First;
         public int Count;
-
-        // From the node's corner to the cloud's, in grid steps.
-        public int3 Shift;
+        public int3 Shift; // From the node's corner to the cloud's, in grid steps.
 
         public void Execute()
         {
@@ -111,11 +108,7 @@ namespace FastPoints.Sources
     static class PotreeError
     {
         public const int None = 0;
-
-        // Positions beyond the 32-bit grid were set to its edge.
-        public const int OffGrid = 1;
-
-        // A compressed node broke off, or its decompressor failed.
-        public const int Broken = 2;
+        public const int OffGrid = 1; // Positions beyond the 32-bit grid were set to its edge.
+        public const int Broken = 2; // A compressed node broke off, or its decompressor failed.
     }
 }

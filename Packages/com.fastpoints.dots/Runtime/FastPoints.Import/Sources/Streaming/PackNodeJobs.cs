@@ -14,8 +14,7 @@ namespace FastPoints.Sources
     [BurstCompile]
     internal unsafe struct OrderNodeJob : IJob
     {
-        // About 3 ms.
-        public const int PointsPerSlice = 1 << 16;
+        public const int PointsPerSlice = 1 << 16; // About 3 ms.
 
         // Along each axis: cells that are finer than those of a full block's points.
         const int KeyBits = 10;
@@ -27,17 +26,13 @@ namespace FastPoints.Sources
         public SourceGrid Grid;
         public Grid3 Corner;
         public bool IsWide;
-
-        // Relative to Corner.
-        public Grid3 CubeCorner;
+        public Grid3 CubeCorner; // Relative to Corner.
 
         public int3 CubeBits;
         public int Count;
         public int First;
         public int Capacity;
-
-        // Out: X, Y, Z of each point from the corner, 32 or 64 bits each.
-        public NativeArray<byte> Offsets;
+        public NativeArray<byte> Offsets; // Out: X, Y, Z of each point from the corner, 32 or 64 bits each.
 
         // Out: the point of each rank along the curve.
         public NativeArray<uint> PointOfRank;
@@ -119,21 +114,17 @@ namespace FastPoints.Sources
 
     internal struct PackState
     {
-        // The source did not give the node's points, or one exceeds the range of packed numbers.
-        public bool IsDamaged;
+        public bool IsDamaged; // The source did not give the node's points, or one exceeds the range of packed numbers.
 
         public long PlaneStart;
-
-        // In that plane, of the next packed word.
-        public long Word;
+        public long Word; // In that plane, of the next packed word.
     }
 
     // Some blocks of a plane, after those of the previous slice. The planes of a node follow one another.
     [BurstCompile]
     internal unsafe struct PackPlaneJob : IJob
     {
-        // About 2 ms.
-        public const int BlocksPerSlice = 512;
+        public const int BlocksPerSlice = 512; // About 2 ms.
 
         [ReadOnly] public NativeArray<byte> Columns;
         [ReadOnly] public NativeArray<byte> Offsets;
@@ -144,16 +135,12 @@ namespace FastPoints.Sources
         public PointColumn Column0;
         public PointColumn Column1;
         public PointColumn Column2;
-
-        // Among the streamed planes: 0 is the position's.
-        public int Plane;
+        public int Plane; // Among the streamed planes: 0 is the position's.
 
         public int Count;
         public int FirstBlock;
         public int Capacity;
-
-        // Capacity for the longest planes.
-        public NativeArray<byte> Packed;
+        public NativeArray<byte> Packed; // Capacity for the longest planes.
 
         public NativeArray<long> LengthOfPlane;
         public NativeReference<PackState> State;

@@ -12,11 +12,8 @@ namespace FastPoints.Sources
     // octree, the whole of it, streamed directly.
     internal sealed class SourceFeed : CloudFeed
     {
-        // About what a screen shows, with the slots of its reads below 200 MB.
-        public const int PreviewPoints = 1_000_000;
-
-        // Points of an octree's upper levels from which colours are chosen.
-        const int PointsOfTop = 50_000;
+        public const int PreviewPoints = 1_000_000; // About what a screen shows, with the slots of its reads below 200 MB.
+        const int PointsOfTop = 50_000; // Points of an octree's upper levels from which colours are chosen.
 
         readonly StageProgress m_progress = new StageProgress();
         readonly string m_path;

@@ -15,26 +15,18 @@ namespace FastPoints.Sources
     {
         public CloudGrid Grid;
         public SourceGrid Source;
-
-        // The smallest cube with a power-of-two side that contains the source's.
-        public GridCube Root;
+        public GridCube Root; // The smallest cube with a power-of-two side that contains the source's.
 
         // Packed positions count from it in all nodes: no number that the source can hold lies below it. A block has its own
         // minimum, so this costs nothing.
         public Grid3 Corner;
-
-        // Packed positions have 64 bits.
-        public bool IsWide;
+        public bool IsWide; // Packed positions have 64 bits.
 
         // Georeferenced.
         public double3 CubeMin;
         public double3 CubeSize;
-
-        // As the source claims, georeferenced; the cube if it claims none.
-        public BoundsGeo Bounds;
-
-        // Spacing of the root, in CRS units.
-        public double Spacing;
+        public BoundsGeo Bounds; // As the source claims, georeferenced; the cube if it claims none.
+        public double Spacing; // Spacing of the root, in CRS units.
 
         // Unsupported if no grid holds the source's numbers.
         public TreeGrid(SourceInfo info, SourceTree tree)
@@ -143,15 +135,9 @@ namespace FastPoints.Sources
         }
 
         public int Count => m_indices.Length;
-
-        // Rising; position is the first.
-        public NativeArray<int> Indices => m_indices;
-
-        // The position's is that of nodes that are not wide.
-        public NativeArray<PlaneShape> Shapes => m_shapes;
-
-        // Bits of a point in each plane. The position's depend on the node.
-        public NativeArray<int> Bits => m_bits;
+        public NativeArray<int> Indices => m_indices; // Rising; position is the first.
+        public NativeArray<PlaneShape> Shapes => m_shapes; // The position's is that of nodes that are not wide.
+        public NativeArray<int> Bits => m_bits; // Bits of a point in each plane. The position's depend on the node.
 
         public PointSchema Decoded { get; }
 

@@ -11,8 +11,7 @@ namespace FastPoints.Sources
     // A slot of the source's reader decodes the attributes of some planes, then slices of at most about 4 ms order and pack them.
     sealed unsafe class TreeNodeTranscoder : NodeTranscoder
     {
-        // Nodes up to this size share one size of memory, which is doubled for larger ones.
-        const int MinCapacity = 1 << 12;
+        const int MinCapacity = 1 << 12; // Nodes up to this size share one size of memory, which is doubled for larger ones.
 
         readonly PointReader m_reader;
         readonly TreeGrid m_grid;

@@ -13,8 +13,7 @@ namespace FastPoints.Sources
     // corner costs what lies there. Main thread; never waits.
     sealed class TreePages : IDisposable
     {
-        // At most some hundred nodes if points lie on surfaces.
-        public const int LevelsPerPage = 4;
+        public const int LevelsPerPage = 4; // At most some hundred nodes if points lie on surfaces.
 
         // Read before the first page is built: its own, and one more to know whether there are others.
         public const int LevelsToKnow = LevelsPerPage + 1;
@@ -32,9 +31,7 @@ namespace FastPoints.Sources
         JobHandle m_step;
         JobHandle m_building;
         int m_nodes;
-
-        // After a failure, no more of the hierarchy is read.
-        bool m_isBroken;
+        bool m_isBroken; // After a failure, no more of the hierarchy is read.
 
         // The first page that was requested since the last update, and the one being read; or None.
         int m_requestedPage = None;
@@ -187,9 +184,7 @@ namespace FastPoints.Sources
     internal unsafe struct BuildTreePageJob : IJob
     {
         [ReadOnly] public NativeArray<SourceNode> Nodes;
-
-        // The first node of each SourceNode.Key.
-        [ReadOnly] public NativeParallelHashMap<int4, int> NodeOfKey;
+        [ReadOnly] public NativeParallelHashMap<int4, int> NodeOfKey; // The first node of each SourceNode.Key.
 
         // Bits of a point in each streamed plane; the position's depend on the node.
         [ReadOnly] public NativeArray<int> BitsOfPlane;

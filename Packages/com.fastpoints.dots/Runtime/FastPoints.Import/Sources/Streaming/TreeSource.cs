@@ -15,17 +15,12 @@ namespace FastPoints.Sources
     /// (<see cref="SampleReader"/>).</summary>
     internal sealed class TreeSource : NodeSource
     {
-        // Begun and not yet taken: a transcoder is free again in the frame after its last job.
-        const int MaxTranscoders = 16;
-
-        // Large ones: one is read while another is decoded.
-        const int MinBusyTranscoders = 2;
+        const int MaxTranscoders = 16; // Begun and not yet taken: a transcoder is free again in the frame after its last job.
+        const int MinBusyTranscoders = 2; // Large ones: one is read while another is decoded.
 
         // Begun for each worker, except for single nodes: about 50 ms of work, enough until the next frame, at 30 Hz as well.
         const int PointsPerWorker = 1 << 18;
-
-        // The same for all workers: a point at work takes some 60 bytes.
-        const int MaxPoints = 1 << 21;
+        const int MaxPoints = 1 << 21; // The same for all workers: a point at work takes some 60 bytes.
 
         readonly TreePages m_pages;
         readonly TreePlanes m_planes;

@@ -49,9 +49,7 @@ namespace FastPoints.Text
     struct LzfCheckpoint
     {
         public long Input;
-
-        // Decoded bytes before the wanted ones.
-        public int Skip;
+        public int Skip; // Decoded bytes before the wanted ones.
     }
 
     struct LzfWalk
@@ -66,17 +64,14 @@ namespace FastPoints.Text
     [BurstCompile]
     unsafe struct WalkLzfJob : IJob
     {
-        // Decoded at most by one job, so that it stays short.
-        public const int SliceBytes = 1 << 20;
+        public const int SliceBytes = 1 << 20; // Decoded at most by one job, so that it stays short.
 
         public const int BufferBytes = Lzf.WindowBytes + SliceBytes + Lzf.MaxWritten;
 
         [ReadOnly] public NativeArray<byte> Input;
         public int InputBytes;
         public long DecodedBytes;
-
-        // Begins with the window before the piece.
-        public NativeArray<byte> Buffer;
+        public NativeArray<byte> Buffer; // Begins with the window before the piece.
 
         // Offsets of decoded bytes that get checkpoints, ascending.
         [ReadOnly] public NativeArray<long> Offsets;

@@ -15,9 +15,7 @@ namespace FastPoints.Text
     {
         const int DefaultBlockPoints = 65536, MaxBlockPoints = 1 << 20, MaxFieldBytes = 4 << 20, MaxCheckpoints = 4096;
         const int SizesBytes = 8;
-
-        // A copy of 264 bytes takes 3: a small file cannot claim a large cloud.
-        const int MaxInflation = 88;
+        const int MaxInflation = 88; // A copy of 264 bytes takes 3: a small file cannot claim a large cloud.
 
         readonly PlyFile m_file;
         readonly PcdField[] m_fields;

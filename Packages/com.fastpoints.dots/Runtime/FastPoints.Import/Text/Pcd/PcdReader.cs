@@ -10,9 +10,7 @@ namespace FastPoints.Text
     sealed class PcdHeader
     {
         public const int MaxBytes = 64 << 10;
-
-        // Files with more values a point are refused.
-        const int MaxValues = 4096;
+        const int MaxValues = 4096; // Files with more values a point are refused.
 
         readonly string m_path;
         readonly Dictionary<string, string[]> m_words = new Dictionary<string, string[]>();

@@ -10,9 +10,7 @@ namespace FastPoints.Text
     internal sealed class PlyHeaderParser
     {
         public const int MaxHeaderBytes = 1 << 20;
-
-        // Elements of a file, and properties of an element; files with more are refused.
-        public const int MaxDeclarations = 1024;
+        public const int MaxDeclarations = 1024; // Elements of a file, and properties of an element; files with more are refused.
 
         static readonly Dictionary<string, AttributeType> s_typeOfName = new Dictionary<string, AttributeType>
         {
@@ -233,9 +231,7 @@ namespace FastPoints.Text
     internal sealed class PlyHeader
     {
         public PlyEncoding Encoding;
-
-        // "1.0" in every file that follows the format's only description.
-        public string Version;
+        public string Version; // "1.0" in every file that follows the format's only description.
 
         public long FormatOffset;
         public readonly List<PlyElement> Elements = new List<PlyElement>();
@@ -271,9 +267,7 @@ namespace FastPoints.Text
     internal sealed class PlyElement
     {
         public string Name;
-
-        // As claimed.
-        public ulong Count;
+        public ulong Count; // As claimed.
 
         public readonly List<PlyProperty> Properties = new List<PlyProperty>();
         public long LineOffset;
@@ -316,14 +310,10 @@ namespace FastPoints.Text
     internal sealed class PlyProperty
     {
         public string Name;
-
-        // Type of the value, or of a list's items.
-        public AttributeType Type;
+        public AttributeType Type; // Type of the value, or of a list's items.
 
         public bool IsList;
-
-        // Type of the number before a list's items: an integer type.
-        public AttributeType CountType;
+        public AttributeType CountType; // Type of the number before a list's items: an integer type.
 
         // Its bytes are blue, green, red and perhaps alpha (PCD).
         public bool IsColor;

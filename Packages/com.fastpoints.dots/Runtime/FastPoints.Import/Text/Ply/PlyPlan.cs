@@ -290,12 +290,8 @@ namespace FastPoints.Text
     {
         public PlyStepKind Kind;
         public AttributeType Type;
-
-        // Skip: number of values. List: bytes of an item.
-        public int Count;
-
-        // In a binary file: bytes of the skipped values, of the value, or of a list's count.
-        public int Bytes;
+        public int Count; // Skip: number of values. List: bytes of an item.
+        public int Bytes; // In a binary file: bytes of the skipped values, of the value, or of a list's count.
 
         // Value: offset of its column in the batch. Colour: of red, or -1.
         public int ColumnOffsetBytes;

@@ -90,8 +90,7 @@ namespace FastPoints.Text
 
     sealed class PlyRead : SlotRead
     {
-        // The last line may extend this many bytes behind its block.
-        public const int MaxLineBytes = 64 << 10;
+        public const int MaxLineBytes = 64 << 10; // The last line may extend this many bytes behind its block.
 
         readonly PointReader m_reader;
         readonly PlyFile m_ply;

@@ -21,12 +21,8 @@ namespace FastPoints.Text
 
         public ulong Columns;
         public ulong Rows;
-
-        // Where points are in the world's coordinates already.
-        public double3 Position;
-
-        // World = x * X + y * Y + z * Z + Shift.
-        public double3 X, Y, Z, Shift;
+        public double3 Position; // Where points are in the world's coordinates already.
+        public double3 X, Y, Z, Shift; // World = x * X + y * Y + z * Z + Shift.
 
         public int Bytes;
 

@@ -215,12 +215,8 @@ namespace FastPoints.Text
         public AttributeType Type;
         public int Bytes;
         public int Decimals;
-
-        // A line without the value, or with text instead, is not a point.
-        public bool IsPosition;
-
-        // Coordinates are always read, so that the same lines are points for any request.
-        public bool IsStored;
+        public bool IsPosition; // A line without the value, or with text instead, is not a point.
+        public bool IsStored; // Coordinates are always read, so that the same lines are points for any request.
 
         public int ColumnOffsetBytes;
     }
@@ -258,14 +254,9 @@ namespace FastPoints.Text
 
     struct XyzDialect
     {
-        // Replaces the separator while a line is read: a number ends at it as at a blank.
-        public const byte Mark = 1;
-
-        // A comma or a semicolon; 0 if values are separated by blanks (spaces, tabs).
-        public byte Separator;
-
-        // 1,5 means one and a half.
-        public bool HasDecimalComma;
+        public const byte Mark = 1; // Replaces the separator while a line is read: a number ends at it as at a blank.
+        public byte Separator; // A comma or a semicolon; 0 if values are separated by blanks (spaces, tabs).
+        public bool HasDecimalComma; // 1,5 means one and a half.
 
         public bool HasQuotes;
 

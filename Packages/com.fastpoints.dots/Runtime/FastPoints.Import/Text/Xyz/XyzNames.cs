@@ -9,19 +9,13 @@ namespace FastPoints.Text
     {
         public double Min;
         public double Max;
-
-        // Without an exponent or a point.
-        public bool IsPrintedAsInteger;
-
-        // Whole numbers, however they are printed: some write colours as 117.0.
-        public bool IsWhole => Decimals == 0;
+        public bool IsPrintedAsInteger; // Without an exponent or a point.
+        public bool IsWhole => Decimals == 0; // Whole numbers, however they are printed: some write colours as 117.0.
 
         // The most digits behind the point: as printed, and without zeros at the end.
         public int DecimalsPrinted;
         public int Decimals;
-
-        // The most of a value, from the first that is not zero to the last.
-        public int Digits;
+        public int Digits; // The most of a value, from the first that is not zero to the last.
 
         public static XyzColumn Empty => new XyzColumn
         {

@@ -18,9 +18,7 @@ namespace FastPoints.Text
 
         // The last line may extend this many bytes behind its block: longer ones are not points.
         public const int MaxLineBytes = 16 << 10;
-
-        // Printed digits that are kept even if the sample has zeros there.
-        const int DefaultDecimals = 4;
+        const int DefaultDecimals = 4; // Printed digits that are kept even if the sample has zeros there.
 
         readonly XyzSniff m_sniff;
         readonly string[] m_names;

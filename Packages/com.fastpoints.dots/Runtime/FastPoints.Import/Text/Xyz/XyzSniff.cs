@@ -13,9 +13,7 @@ namespace FastPoints.Text
         const int SegmentBytes = 4 << 10;
         const int Segments = 64;
         const int MaxColumns = 256;
-
-        // Share of the first lines that must be rows of the same number of values.
-        const double MinRowFraction = 0.8;
+        const double MinRowFraction = 0.8; // Share of the first lines that must be rows of the same number of values.
 
         readonly RandomAccessFile m_source;
         readonly string[] m_given;

@@ -13,9 +13,7 @@ namespace FastPoints
         const long MaxSegmentBytes = 32 << 20;
         const int MinSegments = 8;
         const int MaxOverlaps = 8;
-
-        // Each is an open file.
-        const int MaxSegments = 160;
+        const int MaxSegments = 160; // Each is an open file.
 
         static readonly object s_lock = new object();
         static RangeCache s_current;

@@ -28,9 +28,7 @@ namespace FastPoints
             public long Offset;
             public long Length;
             public ulong BlocksHash;
-
-            // Of all before it.
-            public ulong HeaderHash;
+            public ulong HeaderHash; // Of all before it.
         }
 
         const int HeaderBytes = 56;

@@ -32,8 +32,7 @@ namespace FastPoints
             m_count = count;
         }
 
-        // For tests; it takes effect with the next client.
-        internal static Func<HttpMessageHandler> CreateHandler;
+        internal static Func<HttpMessageHandler> CreateHandler; // For tests; it takes effect with the next client.
 
         // What servers are asked for by TLS. The command line sets HTTP/2, which Unity's runtime has not.
         internal static Version HttpVersion = System.Net.HttpVersion.Version11;
@@ -45,8 +44,7 @@ namespace FastPoints
 
         public double SecondsToHeaders { get; private set; }
 
-        // Its connection carries others meanwhile.
-        public bool IsMultiplexed => m_response.Version.Major > 1;
+        public bool IsMultiplexed => m_response.Version.Major > 1; // Its connection carries others meanwhile.
 
         // expected: null if this is what the range is to say.
         public static async Task<RangeExchange> Begin(RemoteTarget target, long offset, long count, RemoteIdentity expected)
@@ -346,9 +344,7 @@ namespace FastPoints
         public string Address { get; }
 
         public string Server => m_uri.Scheme + "://" + m_uri.Authority;
-
-        // Forgotten when it fails.
-        public volatile Uri Resolved;
+        public volatile Uri Resolved; // Forgotten when it fails.
 
         public Uri Signed(bool wasRefused)
         {

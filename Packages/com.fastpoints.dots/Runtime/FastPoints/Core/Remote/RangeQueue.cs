@@ -13,20 +13,14 @@ namespace FastPoints
     {
         // Larger ranges are cut, so that connections share them and what is urgent waits for no long one.
         public const int MaxRequestBytes = 1 << 20;
-
-        // A gap that costs less than a request's own headers.
-        const int MinGapBytes = 2 << 10;
+        const int MinGapBytes = 2 << 10; // A gap that costs less than a request's own headers.
 
         const int MaxGapBytes = 512 << 10;
 
         // At most one byte in so many of a request is one that nobody asked for, but for such gaps.
         const int UnusedBytesDivisor = 8;
-
-        // Part of a round trip that a request may be late by.
-        const int GatherDivisor = 16;
-
-        // Before anything was measured.
-        const double FirstBytesPerConnection = 1 << 20;
+        const int GatherDivisor = 16; // Part of a round trip that a request may be late by.
+        const double FirstBytesPerConnection = 1 << 20; // Before anything was measured.
 
         // The rest of an answer that nobody wants is read on if that takes less than a new connection.
         const int DrainBytes = 64 << 10;

@@ -29,26 +29,16 @@ namespace FastPoints
     internal sealed class RemoteSettings
     {
         public static RemoteSettings Current = new RemoteSettings();
-
-        // Until the first byte of an answer, and between two pieces of it.
-        public int StallMs = 15000;
-
-        // A body that is slower on average, after StallMs, is given up.
-        public int MinBytesPerSecond = 2048;
+        public int StallMs = 15000; // Until the first byte of an answer, and between two pieces of it.
+        public int MinBytesPerSecond = 2048; // A body that is slower on average, after StallMs, is given up.
 
         public int MaxTries = 4;
-
-        // Doubles from try to try; half of it is random.
-        public int RetryMs = 250;
+        public int RetryMs = 250; // Doubles from try to try; half of it is random.
 
         public int MaxRetryAfterMs = 20000;
         public int MaxRedirects = 5;
         public int MaxConnections = 8;
-
-        // By HTTP/2, which has one connection.
-        public int MaxStreams = 16;
-
-        // An answer that confirmed a file's identity counts for so long when it is opened again.
-        public int ConfirmedMs = 10000;
+        public int MaxStreams = 16; // By HTTP/2, which has one connection.
+        public int ConfirmedMs = 10000; // An answer that confirmed a file's identity counts for so long when it is opened again.
     }
 }

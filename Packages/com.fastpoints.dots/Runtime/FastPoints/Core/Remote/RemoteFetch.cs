@@ -10,8 +10,7 @@ namespace FastPoints
     // Pieces of remote files, on their way or here. Whoever disposes it has completed the jobs that copy from it.
     internal sealed unsafe class RemoteFetch : IDisposable
     {
-        // A node of an octree of many files mostly comes with opening its file.
-        const int MaxHeadBytes = 1 << 20;
+        const int MaxHeadBytes = 1 << 20; // A node of an octree of many files mostly comes with opening its file.
 
         const long MaxWholeBytes = 1L << 28;
 
@@ -161,9 +160,7 @@ namespace FastPoints
     {
         // Bytes in flight or fetched and not taken; one read is always begun, however long. At 100 Mbit/s they take a second.
         const long MaxBytes = 12 << 20;
-
-        // Servers answer some at a time; the others wait here for connections.
-        const int MaxReads = 32;
+        const int MaxReads = 32; // Servers answer some at a time; the others wait here for connections.
 
         readonly Action<int, List<FilePiece>> m_listPieces;
         readonly int m_end;

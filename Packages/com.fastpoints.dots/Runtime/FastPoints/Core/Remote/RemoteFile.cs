@@ -160,15 +160,11 @@ namespace FastPoints
 
         public bool IsDone => m_isDone;
         public bool IsCancelled => m_isCancelled;
-
-        // Once it is done: null if all bytes have come.
-        public PointCloudException Failure => m_failure;
+        public PointCloudException Failure => m_failure; // Once it is done: null if all bytes have come.
 
         public long Offset => m_parts[0].Offset;
         public long Bytes => m_parts[0].Size;
-
-        // Of a read into memory of its own, once it is done: until Dispose.
-        public byte* Data => m_owned;
+        public byte* Data => m_owned; // Of a read into memory of its own, once it is done: until Dispose.
 
         internal int PartCount => m_parts.Length;
 
@@ -243,12 +239,8 @@ namespace FastPoints
 
         // Fetched beside what was asked for: gaps between ranges, and what was cancelled on its way.
         public static long BytesUnused => Interlocked.Read(ref s_bytesUnused);
-
-        // Ranges that the disk's cache had.
-        public static long CacheHits => Interlocked.Read(ref s_cacheHits);
-
-        // Reads that waited for bytes that nobody had fetched ahead.
-        public static long Waits => Interlocked.Read(ref s_waits);
+        public static long CacheHits => Interlocked.Read(ref s_cacheHits); // Ranges that the disk's cache had.
+        public static long Waits => Interlocked.Read(ref s_waits); // Reads that waited for bytes that nobody had fetched ahead.
 
         internal static void AddRequest() => Interlocked.Increment(ref s_requests);
 

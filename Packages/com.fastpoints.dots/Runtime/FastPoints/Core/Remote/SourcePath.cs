@@ -7,8 +7,7 @@ namespace FastPoints
     // address's question mark, such as a signature, goes with its siblings.
     internal static class SourcePath
     {
-        // As Android's streaming assets begin.
-        public const string Assets = "jar:file://";
+        public const string Assets = "jar:file://"; // As Android's streaming assets begin.
 
         public static bool IsAsset(string path) => path != null && path.StartsWith(Assets, StringComparison.Ordinal);
 

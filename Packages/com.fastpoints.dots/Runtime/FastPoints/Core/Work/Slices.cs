@@ -11,9 +11,7 @@ namespace FastPoints
     {
         const int JobsPerStep = 16; // A fraction of a millisecond of the main thread.
         const int MaxStepsInFlight = 32; // About a second's work.
-
-        // All workers and a waiting thread.
-        public static int MaxChains => Math.Max(1, JobsUtility.JobWorkerCount) + 1;
+        public static int MaxChains => Math.Max(1, JobsUtility.JobWorkerCount) + 1; // All workers and a waiting thread.
 
         public static IEnumerator<JobStep> Run(int begin, int end, int perSlice, Func<int, int, JobHandle, JobHandle> schedule,
             int chains = 1, JobHandle inputDeps = default)

@@ -13,9 +13,7 @@ namespace FastPoints.Drawing
         public bool Wraps; // Entries beyond 255 count from 0 again.
         public double Scale; // Byte (or palette entry) = floor(value * Scale + Bias), clamped to 0 to 255.
         public double Bias;
-
-        // For elevation: weights of the stored x, y and z in the value; otherwise 0.
-        public double3 PositionWeights;
+        public double3 PositionWeights; // For elevation: weights of the stored x, y and z in the value; otherwise 0.
 
         // For a mode that the batch has the columns for (DisplayRanges.Resolve).
         public static ColorMapping For(ColorMode mode, DisplayRanges ranges, PointBatch batch, in PositionTransform transform,

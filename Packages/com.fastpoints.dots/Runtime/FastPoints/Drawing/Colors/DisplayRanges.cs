@@ -13,23 +13,17 @@ namespace FastPoints.Drawing
     {
         const double OutlierShare = 0.005; // Of the values, this share at either end is taken for outliers.
         const double IntensityOutlierShare = 0.01;
-
-        // Outliers apart, the bounds are widened by this share of their size on either side.
-        const double Widening = 0.1;
+        const double Widening = 0.1; // Outliers apart, the bounds are widened by this share of their size on either side.
 
         // Points farther from the middle half than this many times its longest edge are not framed, however many points that
         // are: scanners put what they did not hit at 0, and a hundredth of such points would make the rest one pixel.
         const double FarInInterquartileRanges = 50;
-
-        // Reports bounds that are this many times larger than the framed ones.
-        const double FarBoundsFactor = 10;
+        const double FarBoundsFactor = 10; // Reports bounds that are this many times larger than the framed ones.
 
         // Within the degrees of the earth, this many times as high as wide: no object is; degrees with metres are, a
         // thousand times.
         const double MaxHeightPerDegree = 200;
-
-        // Of 255: colours darker than this, except outliers, vanish against the background.
-        const double DarkestColor = 12;
+        const double DarkestColor = 12; // Of 255: colours darker than this, except outliers, vanish against the background.
 
         const int MaxFramingPoints = 4096;
         const int MaxPointsForClasses = 100_000;

@@ -53,9 +53,7 @@ namespace FastPoints.Drawing
 
         /// <summary>Whether the ranges include outliers: those of a manifest without better ones.</summary>
         public bool RangesHaveOutliers;
-
-        // Those of a converted cloud's points are stored.
-        internal bool HasNormals;
+        internal bool HasNormals; // Those of a converted cloud's points are stored.
     }
 
     /// <summary>Opens any cloud: converted ones here, others by a registered reader (FastPoints.Import, if it is

@@ -26,8 +26,7 @@ namespace FastPoints.Drawing
             }
         }
 
-        // A state was found and still exists.
-        public bool IsFound => m_generations.IsFound;
+        public bool IsFound => m_generations.IsFound; // A state was found and still exists.
 
         public override bool IsEnded => !m_generations.IsFollowing && IsIdle;
         internal override bool IsIdle => m_generations.IsIdle;

@@ -64,9 +64,7 @@ namespace FastPoints.Store
 
         // By this process, to any: whoever shows a cloud looks at its own again when the number rises. Any thread.
         public static int Writes => Volatile.Read(ref s_writes);
-
-        // In their order; those from Count on are undone.
-        public IReadOnlyList<EditOperation> Operations => m_operations;
+        public IReadOnlyList<EditOperation> Operations => m_operations; // In their order; those from Count on are undone.
 
         public int Count { get; private set; }
 

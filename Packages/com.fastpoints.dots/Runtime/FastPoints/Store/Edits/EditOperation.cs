@@ -17,8 +17,7 @@ namespace FastPoints.Store
     // points are stored. It converts from and to text, without I/O.
     internal sealed class EditOperation
     {
-        // Of shapes, in grid steps; positions have up to 60 bits.
-        public const long MaxCoordinate = 1L << 61;
+        public const long MaxCoordinate = 1L << 61; // Of shapes, in grid steps; positions have up to 60 bits.
 
         const long MaxAxis = 1L << 31;
 
@@ -26,15 +25,11 @@ namespace FastPoints.Store
         static readonly string[] s_actions = { "hide", "delete", "classify", "colour" };
 
         public EditAction Action;
-
-        // The class, or red, green and blue in eight bits, whatever the cloud has.
-        public byte[] Value = new byte[0];
+        public byte[] Value = new byte[0]; // The class, or red, green and blue in eight bits, whatever the cloud has.
 
         public readonly List<EditShape> Boxes = new List<EditShape>();
         public readonly List<EditShape> Balls = new List<EditShape>();
-
-        // Its bounds grow with the rings.
-        public EditPrism Prism = EditPrism.Empty;
+        public EditPrism Prism = EditPrism.Empty; // Its bounds grow with the rings.
 
         // Closed: u and v of each vertex. Those of one polygon follow one another.
         public readonly List<(int Polygon, long[] Vertices)> Rings = new List<(int, long[])>();

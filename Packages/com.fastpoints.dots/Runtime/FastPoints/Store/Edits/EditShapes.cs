@@ -15,8 +15,7 @@ namespace FastPoints.Store
     // A box from A to B, both included; or a ball around A with B's radii in steps, which differ where a grid's steps do.
     internal struct EditShape
     {
-        // Larger radii that differ would not fit the arithmetic.
-        public const long MaxUnequalRadius = 1 << 20;
+        public const long MaxUnequalRadius = 1 << 20; // Larger radii that differ would not fit the arithmetic.
 
         public Grid3 A;
         public Grid3 B;
@@ -102,8 +101,7 @@ namespace FastPoints.Store
     // and from where. They reach without end along what is across both.
     internal struct EditPrism
     {
-        // How finely polygons along an axis are drawn.
-        public const int SubstepsPerStep = 1024;
+        public const int SubstepsPerStep = 1024; // How finely polygons along an axis are drawn.
 
         public Grid3 Origin;
         public Grid3 U;
@@ -156,9 +154,7 @@ namespace FastPoints.Store
         public long FromV;
         public long ToU;
         public long ToV;
-
-        // Edges of one polygon have one number, and follow one another.
-        public int Polygon;
+        public int Polygon; // Edges of one polygon have one number, and follow one another.
 
         // Whether it has to do with places in the box around another: crosses it, or lies to its right.
         public readonly bool MayMatterTo(in EditEdge box, out bool mayCross)

@@ -9,9 +9,7 @@ namespace FastPoints.Store
     {
         // By time, not by frames: an idle editor may draw none.
         public static readonly TimeSpan PollInterval = TimeSpan.FromSeconds(1);
-
-        // For a moment after a build, neither it nor its result may exist.
-        const int MissesUntilDeleted = 2;
+        const int MissesUntilDeleted = 2; // For a moment after a build, neither it nor its result may exist.
 
         readonly string m_path;
         CloudManifest m_known; // Of the generation that was kept last.
@@ -26,9 +24,7 @@ namespace FastPoints.Store
         struct Poll
         {
             public bool Exists;
-
-            // It exists, but could not be opened.
-            public bool HasFailed;
+            public bool HasFailed; // It exists, but could not be opened.
 
             // Null if there is no newer one, or if it cannot be opened at this moment.
             public CloudFolder Newer;
@@ -61,14 +57,11 @@ namespace FastPoints.Store
         public bool IsFound { get; private set; }
         public bool IsBuilding { get; private set; }
 
-        // The build was aborted, or the folder was deleted.
-        public bool IsDeleted => m_misses >= MissesUntilDeleted;
+        public bool IsDeleted => m_misses >= MissesUntilDeleted; // The build was aborted, or the folder was deleted.
 
         // No poll is requested or in flight, and no generation waits to be taken.
         public bool IsIdle => m_polling == null && m_newest == null && !m_isRequested;
-
-        // Looks again once a second.
-        public bool IsFollowing => IsBuilding || m_isStale;
+        public bool IsFollowing => IsBuilding || m_isStale; // Looks again once a second.
 
         public CloudFolder Newest => m_newest;
 

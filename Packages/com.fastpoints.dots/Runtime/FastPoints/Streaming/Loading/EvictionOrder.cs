@@ -79,9 +79,7 @@ namespace FastPoints.Streaming
         public int Node;
         public PoolRange Range;
         public CachePhase Phase;
-
-        // Must be remembered along with a slot's number: it rises when the slot is released.
-        public int Version;
+        public int Version; // Must be remembered along with a slot's number: it rises when the slot is released.
 
         // Frame of the last selection or prefetch that wanted it, and its rank there: 0 is the most needed.
         public uint UsedFrame;
@@ -93,9 +91,7 @@ namespace FastPoints.Streaming
         public float Fade;
         public bool IsHidden; // Not drawn even if it is loaded.
         public bool IsPinned; // Kept as long as there is any memory for it.
-
-        // Multiplies its points' colours: sRGB, with red, green, blue, alpha from the lowest byte.
-        public uint Tint;
+        public uint Tint; // Multiplies its points' colours: sRGB, with red, green, blue, alpha from the lowest byte.
 
         // Its neighbours in the eviction order, or NodeCache.None.
         public int Previous;

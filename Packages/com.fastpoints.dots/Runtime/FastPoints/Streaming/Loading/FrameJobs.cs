@@ -15,8 +15,7 @@ namespace FastPoints.Streaming
     [BurstCompile]
     internal struct TouchNodesJob : IJob
     {
-        // No prefetched node is needed more.
-        const int FadingOutRank = NodeReadQueue.FirstPrefetchRank - 1;
+        const int FadingOutRank = NodeReadQueue.FirstPrefetchRank - 1; // No prefetched node is needed more.
 
         [ReadOnly] public NativeArray<CloudPages> Clouds;
         [ReadOnly] public NativeArray<DrawnNode> Drawn; // By the last frame; empty if nothing fades.

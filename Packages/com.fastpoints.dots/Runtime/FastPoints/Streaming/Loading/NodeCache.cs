@@ -18,16 +18,12 @@ namespace FastPoints.Streaming
         public int NextToEvict => m_order.NextToEvict;
 
         public EvictionOrder Order => m_order;
-
-        // Evicted last.
-        public NativeArray<int> Pinned => m_pinned.AsArray();
+        public NativeArray<int> Pinned => m_pinned.AsArray(); // Evicted last.
 
         public CachedNode this[int slot] => m_order.Nodes[slot];
 
         public NativeArray<CachedNode> Nodes => m_order.Nodes.AsArray();
-
-        // Slots that were ever in use, including free ones.
-        public int SlotCount => m_order.Nodes.Length;
+        public int SlotCount => m_order.Nodes.Length; // Slots that were ever in use, including free ones.
 
         public bool IsValid(int slot, int version) => m_order.Nodes[slot].Version == version;
 

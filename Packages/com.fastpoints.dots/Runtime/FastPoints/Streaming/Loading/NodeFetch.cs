@@ -42,8 +42,7 @@ namespace FastPoints.Streaming
         public int FirstWaiting { get; set; }
         public bool IsBeingCopied { get; set; }
 
-        // Of the file whose read has not ended well.
-        public FetchRead Failed => m_main.HasFailed ? m_main : m_computed;
+        public FetchRead Failed => m_main.HasFailed ? m_main : m_computed; // Of the file whose read has not ended well.
 
         public NativeArray<FetchedNode> Nodes => m_nodes.AsArray();
 

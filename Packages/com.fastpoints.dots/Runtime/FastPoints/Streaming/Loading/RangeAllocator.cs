@@ -12,9 +12,7 @@ namespace FastPoints.Streaming
     {
         const int None = -1;
         const int BinCount = 31;
-
-        // How many ranges of the wanted length's own list are tried: all in longer lists are long enough.
-        const int MaxTries = 8;
+        const int MaxTries = 8; // How many ranges of the wanted length's own list are tried: all in longer lists are long enough.
 
         NativeArray<int> m_length;
         NativeArray<int> m_next;

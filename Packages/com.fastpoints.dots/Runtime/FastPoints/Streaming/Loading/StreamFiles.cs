@@ -25,9 +25,7 @@ namespace FastPoints.Streaming
         }
 
         public StreamFiles() => FolderReleases.Add(this);
-
-        // For tests.
-        public List<string> OpenPaths => m_kept.ConvertAll(k => k.Path);
+        public List<string> OpenPaths => m_kept.ConvertAll(k => k.Path); // For tests.
 
         // The file stays open if the source allows it. Commands and their memory stay where they are until the read has ended.
         public ReadHandle Read(StreamedCloud cloud, string path, uint frame, ReadCommand* commands, int count)

@@ -31,9 +31,7 @@ namespace FastPoints.Streaming
         public NativeArray<SelectedNode> Prefetched => m_prefetched.AsArray();
 
         public NativeArray<MissingHierarchyPage> Missing => m_missing.AsArray();
-
-        // Of the last Prefetch.
-        public NativeArray<MissingHierarchyPage> MissingOfPrefetch => m_missingOfPrefetch.AsArray();
+        public NativeArray<MissingHierarchyPage> MissingOfPrefetch => m_missingOfPrefetch.AsArray(); // Of the last Prefetch.
 
         public long Points => m_points.Value;
 

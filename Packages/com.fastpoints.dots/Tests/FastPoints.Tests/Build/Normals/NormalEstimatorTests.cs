@@ -13,9 +13,7 @@ namespace FastPoints.Tests.Build
     public class NormalEstimatorTests
     {
         const int Count = 20000;
-
-        /// <summary>Spacing of that many points on a surface of 4.</summary>
-        static readonly double s_spacing = Math.Sqrt(4.0 / Count);
+        static readonly double s_spacing = Math.Sqrt(4.0 / Count); // Spacing of that many points on a surface of 4.
 
         public struct Surface
         {

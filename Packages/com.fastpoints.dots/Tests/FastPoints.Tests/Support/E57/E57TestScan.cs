@@ -34,9 +34,7 @@ namespace FastPoints.Tests
         public string Name;
         public string Type;
         public bool IsSingle;
-
-        /// <summary>Limits of integers; without them the XML gives none, and values take 64 bits.</summary>
-        public bool HasLimits = true;
+        public bool HasLimits = true; // Limits of integers; without them the XML gives none, and values take 64 bits.
         public long Minimum;
         public long Maximum;
         public double Scale = 1;
@@ -44,9 +42,7 @@ namespace FastPoints.Tests
 
         public long[] Integers;
         public double[] Reals;
-
-        /// <summary>What stands in the XML instead of the element that the others give, or null.</summary>
-        public string Xml;
+        public string Xml; // What stands in the XML instead of the element that the others give, or null.
 
         public static E57TestField Integer(string name, long minimum, long maximum, params long[] values) =>
             new E57TestField { Name = name, Type = "Integer", Minimum = minimum, Maximum = maximum, Integers = values };
