@@ -141,7 +141,7 @@ namespace FastPoints.E57
         public int ColumnOffsetBytes;
         public int Row; // For vectors: 0 to 2 for positions, 3 to 5 for normals.
 
-        // For columns of integers: stored * Steps + Bias.
+        // For columns of integers: stored * Factor + Shift.
         public long Factor;
         public long Shift;
         public double Scale;
@@ -150,13 +150,13 @@ namespace FastPoints.E57
 
     enum E57Target
     {
-        // A column of an integer type: integer * steps + bias.
+        // A column of an integer type: integer * factor + shift.
         Integers,
 
-        // A column of an integer type: round(value * factor + addend), clamped to 0 to 65,535.
+        // A column of an integer type: round(value * scale + offset), clamped to 0 to 65,535.
         Normalized,
 
-        // A column of floats or doubles: value * factor + addend.
+        // A column of floats or doubles: value * scale + offset.
         Reals,
 
         // One of the three (or six) rows of doubles that become positions and normals.

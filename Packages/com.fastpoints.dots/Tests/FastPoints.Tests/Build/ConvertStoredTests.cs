@@ -168,7 +168,8 @@ namespace FastPoints.Tests.Build
 
         /// <summary>What would fit into memory, too, once it takes long.</summary>
         [Test, Category("Long"), Explicit]
-        public void Convert_AbortedAnywhereInMemory_ResumesToTheSameBytes() => Convert_AbortedAnywhere_ResumesToTheSameBytes(true);
+        public void Convert_AbortedAnywhereInMemory_ResumesToTheSameBytes() =>
+            Convert_AbortedAnywhere_ResumesToTheSameBytes(true);
 
         [TestCase(false)]
         public void Convert_AbortedAnywhere_ResumesToTheSameBytes(bool fits)
