@@ -1,6 +1,7 @@
 using FastPoints.HostTests.Remote;
 using FastPoints.Samples.AskAScan;
 using FastPoints.Samples.AttributeColours;
+using FastPoints.Samples.EditAndExport;
 using FastPoints.Samples.EntitiesOnly;
 using FastPoints.Samples.RemoteCloud;
 using FastPoints.Samples.RunTimeLoading;
@@ -141,6 +142,30 @@ public sealed class SampleScriptTests
         Gui(EventType.MouseDown, 150);
         m_world.Frames(() => ask.Text.Contains("Distance from the one before: "));
         Assert.That(ask.Text, Does.Not.EndWith(": 0.00 m"));
+    }
+
+    [Test]
+    public void EditScan_Buttons_DeleteUndoAndExport()
+    {
+        string path = m_world.Scratch.Converted(points: 20_000);
+        var edit = m_world.Add<EditScan>(e => e.GetComponent<FastPoints.Entities.PointCloud>().Path = path);
+        m_world.Settle();
+        void Press(string button)
+        {
+            GUILayout.Pressed = button;
+            typeof(EditScan).GetMethod("OnGUI", BindingFlags.Instance | BindingFlags.NonPublic).Invoke(edit, null);
+            GUILayout.Pressed = null;
+            m_world.Frames(() => !edit.IsBusy);
+        }
+        Press("Delete the middle");
+        Assert.That(edit.Status, Does.Match("^[1-9][0-9]* points deleted$"));
+        long left = 20_000 - long.Parse(edit.Status.Split(' ')[0], CultureInfo.InvariantCulture);
+        m_world.Frames(() => m_world.Group.Stats.DrawnPoints == left);
+        Press("Export");
+        Assert.That(edit.Status, Does.StartWith(left + " points in "));
+        Assert.That(m_world.Scratch["edited.laz"], Does.Exist);
+        Press("Undo");
+        m_world.Frames(() => m_world.Group.Stats.DrawnPoints == 20_000);
     }
 
     [Test]

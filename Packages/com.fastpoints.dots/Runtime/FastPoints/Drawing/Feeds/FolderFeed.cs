@@ -7,7 +7,6 @@ namespace FastPoints.Drawing
     internal sealed class FolderFeed : CloudFeed
     {
         readonly GenerationPoller m_generations;
-        int m_edits = EditJournal.Writes;
         CloudFacts m_facts;
         CloudFolder m_described;
 
@@ -42,15 +41,7 @@ namespace FastPoints.Drawing
 
         public void Skip() => m_generations.Take()?.Dispose();
 
-        public override void Update(double budgetMs)
-        {
-            if (m_edits != EditJournal.Writes)
-            {
-                m_edits = EditJournal.Writes;
-                Refresh();
-            }
-            m_generations.Update();
-        }
+        public override void Update(double budgetMs) => m_generations.Update();
 
         public override void Refresh() => m_generations.Refresh();
 

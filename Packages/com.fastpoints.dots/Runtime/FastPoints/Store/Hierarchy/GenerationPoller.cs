@@ -14,6 +14,7 @@ namespace FastPoints.Store
         readonly string m_path;
         CloudManifest m_known; // Of the generation that was kept last.
         ulong m_knownEdits; // Their hash; 0 for none.
+        int m_writes = EditJournal.Writes; // Before they were read.
         PoolTask<Poll> m_polling;
         CloudFolder m_newest;
         long m_lastPoll = Stopwatch.GetTimestamp();
@@ -60,7 +61,10 @@ namespace FastPoints.Store
         public bool IsDeleted => m_misses >= MissesUntilDeleted; // The build was aborted, or the folder was deleted.
 
         // No poll is requested or in flight, and no generation waits to be taken.
-        public bool IsIdle => m_polling == null && m_newest == null && !m_isRequested;
+        public bool IsIdle => m_polling == null && m_newest == null && !IsRequested;
+
+        bool IsRequested => m_isRequested || m_writes != EditJournal.Writes;
+
         public bool IsFollowing => IsBuilding || m_isStale; // Looks again once a second.
 
         public CloudFolder Newest => m_newest;
@@ -97,10 +101,11 @@ namespace FastPoints.Store
                 if (seen.Newer != null)
                     Keep(seen.Newer, seen.Edits);
             }
-            if (m_polling != null || m_newest != null || !m_isRequested && !(IsFollowing && IsPollDue))
+            if (m_polling != null || m_newest != null || !IsRequested && !(IsFollowing && IsPollDue))
                 return;
             m_lastPoll = Stopwatch.GetTimestamp();
             m_isRequested = m_isStale = false;
+            m_writes = EditJournal.Writes;
             BeginPoll();
         }
 
