@@ -12,7 +12,7 @@ using Unity.Collections;
 namespace FastPoints.Benchmarks
 {
     /// <summary>An edit of a cloud that is shown, until it is shown as edited; then it is undone. Five million points are shown:
-    /// a box deletes half of the cloud, or a brush of 20 balls classifies points in its middle.</summary>
+    /// a box deletes half of the cloud, or a brush of 20 balls hides points in its middle.</summary>
     sealed class StreamEditWorkload : IWorkload
     {
         const long PoolBytes = 1L << 30;
@@ -80,7 +80,7 @@ namespace FastPoints.Benchmarks
 
         FolderSource Open()
         {
-            var source = new FolderSource(CloudFolder.Open(m_path), StoreLayout.ColorName, AttributeNames.Classification);
+            var source = new FolderSource(CloudFolder.Open(m_path), StoreLayout.ColorName);
             source.Edits = EditPlan.Of(m_path, source.Folder.Manifest);
             return source;
         }
@@ -101,13 +101,12 @@ namespace FastPoints.Benchmarks
         {
             var manifest = ((FolderSource)m_stream.Clouds[m_versions.Cloud].Source).Folder.Manifest;
             Grid3 min = manifest.BoundsMin, size = manifest.BoundsMax - min;
-            var operation = new EditOperation { Action = m_isBrush ? EditAction.Classify : EditAction.Delete };
+            var operation = new EditOperation { Action = m_isBrush ? EditAction.Hide : EditAction.Delete };
             if (!m_isBrush)
             {
                 operation.Boxes.Add(new EditShape { A = min, B = min + new Grid3(size.X / 2, size.Y, size.Z) });
                 return operation;
             }
-            operation.Value = new byte[] { 6 };
             long radius = size.X / 40;
             for (int i = 0; i < Balls; i++)
                 operation.Balls.Add(new EditShape
