@@ -159,8 +159,12 @@ namespace FastPoints.Surface
                 foreach (var (column, to) in ColumnsOf(m_edited.Planes[p]))
                     unpacked = new UnpackColumnJob
                     {
-                        Values = new PlaneValues { Column = column, Stored = p == 0 ? default
-                            : Folder.Layout.Columns[Folder.Layout.Planes[m_edited.Planes[p]].FirstColumn + column] },
+                        Values = new PlaneValues
+                        {
+                            Column = column,
+                            Stored = p == 0 ? default
+                            : Folder.Layout.Columns[Folder.Layout.Planes[m_edited.Planes[p]].FirstColumn + column]
+                        },
                         Plane = m_transcoder.PlaneOf(p),
                         Shape = Folder.Layout.ShapeOf(m_edited.Planes[p], node.IsWide),
                         BlockCount = blocks,
