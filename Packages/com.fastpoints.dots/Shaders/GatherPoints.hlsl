@@ -8,7 +8,7 @@
 
 #include "PointLoading.hlsl"
 #include "PointFilters.hlsl"
-#include "GatheredPoints.hlsl"
+#include "PointCloudBuffers.hlsl"
 
 // FASTPOINTS_POINTS_PER_BLOCK, as a plain number.
 #define FASTPOINTS_GATHER_THREADS 128

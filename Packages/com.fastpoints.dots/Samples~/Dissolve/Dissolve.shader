@@ -13,7 +13,7 @@ Shader "FastPoints/Samples/Dissolve"
             #pragma target 4.5
             #pragma vertex DissolveVertex
             #pragma fragment DissolveFragment
-            #include "Packages/com.fastpoints.dots/Shaders/GatheredPoints.hlsl"
+            #include "Packages/com.fastpoints.dots/Shaders/PointCloudBuffers.hlsl"
 
             // Unity's, of the camera.
             float4x4 unity_MatrixV;

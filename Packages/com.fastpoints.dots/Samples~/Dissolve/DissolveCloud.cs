@@ -17,7 +17,7 @@ namespace FastPoints.Samples.Dissolve
         [Tooltip("Draws the particles: Dissolve.shader of this sample.")]
         public Shader Shader;
 
-        [Range(1, GatheredPoints.MaxPointsLimit)]
+        [Range(1, PointCloudBuffers.MaxPointsLimit)]
         [Tooltip("Of more points an even share flies. 16 bytes each.")]
         public int MaxParticles = 1_000_000;
 
@@ -32,7 +32,7 @@ namespace FastPoints.Samples.Dissolve
         [Tooltip("Radius of a particle, in world units.")]
         public float Radius = 0.08f;
 
-        GatheredPoints m_points;
+        PointCloudBuffers m_points;
         MaterialPropertyBlock m_properties;
         Material m_material;
         Bounds m_bounds;
@@ -44,7 +44,7 @@ namespace FastPoints.Samples.Dissolve
         public bool Begin()
         {
             var cloud = GetComponent<PointCloud>();
-            m_points ??= new GatheredPoints(MaxParticles);
+            m_points ??= new PointCloudBuffers(MaxParticles);
             if (!cloud.TryGetWorldBounds(out m_bounds) ||
                 !m_points.Update(cloud.Number, new double3(m_bounds.center.x, m_bounds.center.y, m_bounds.center.z)))
                 return false;

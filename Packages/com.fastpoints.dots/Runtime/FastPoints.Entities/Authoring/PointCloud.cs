@@ -132,7 +132,7 @@ namespace FastPoints.Entities
             return exists;
         }
 
-        /// <summary>Its number in the stream, as hits of queries and GatheredPoints have it; -1 while it is not
+        /// <summary>Its number in the stream, as hits of queries and PointCloudBuffers have it; -1 while it is not
         /// shown.</summary>
         public int Number => TryGet(out var entities) && entities.HasComponent<StreamedPointCloud>(Entity)
             ? entities.GetComponentData<StreamedPointCloud>(Entity).Number : -1;

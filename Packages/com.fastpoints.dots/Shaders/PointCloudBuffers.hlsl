@@ -1,4 +1,4 @@
-// Points of a cloud for shaders of your own, as FastPoints.Rendering.GatheredPoints has gathered and bound them: see the
+// Points of a cloud for shaders of your own, as FastPoints.Rendering.PointCloudBuffers has gathered and bound them: see the
 // manual's page "Effects". For compute shaders, procedural draws, and Shader Graph's Custom Function nodes (source: this file,
 // name: FastPoints_Load). Nothing of Unity's is used here.
 #ifndef FASTPOINTS_POINT_CLOUD_BUFFERS_INCLUDED
@@ -6,7 +6,7 @@
 
 #include "PointColors.hlsl"
 
-// 16 bytes: along the world's axes, from GatheredPoints.OriginWorld; sRGB with red, green, blue from the lowest byte, and an
+// 16 bytes: along the world's axes, from PointCloudBuffers.OriginWorld; sRGB with red, green, blue from the lowest byte, and an
 // alpha of 255, or of 0 where a clip box or a hidden class takes the point away.
 struct FastPointsEffectPoint
 {
@@ -16,13 +16,13 @@ struct FastPointsEffectPoint
 
 StructuredBuffer<FastPointsEffectPoint> _FastPointsEffectPoints;
 
-// GatheredPoints.Count.
+// PointCloudBuffers.Count.
 uint _FastPointsEffectPointCount;
 
-// GatheredPoints.OriginWorld; w: 1 where the project's colours are linear.
+// PointCloudBuffers.OriginWorld; w: 1 where the project's colours are linear.
 float4 _FastPointsEffectOrigin;
 
-// The point of a number below GatheredPoints.Count.
+// The point of a number below PointCloudBuffers.Count.
 // position: in the world; HDRP's shaders count from the camera.
 // color: in the project's colour space; its alpha is 0 where there is no point.
 void FastPoints_Load(uint i, out float3 position, out float4 color)

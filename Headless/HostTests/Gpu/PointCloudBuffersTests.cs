@@ -1,13 +1,13 @@
 namespace FastPoints.HostTests.Gpu;
 
 /// <summary>What effects get of a cloud, point by point against what the CPU unpacks of the same banks.</summary>
-public sealed class GatheredPointsTests : GraphicsFixture
+public sealed class PointCloudBuffersTests : GraphicsFixture
 {
     const int Points = 60_000, MaxFrames = 200_000, HiddenClass = 2;
 
     const string LoadAll = """
         #pragma kernel LoadAll
-        #include "Packages/com.fastpoints.dots/Shaders/GatheredPoints.hlsl"
+        #include "Packages/com.fastpoints.dots/Shaders/PointCloudBuffers.hlsl"
         RWStructuredBuffer<float4> _Loaded;
         [numthreads(64, 1, 1)]
         void LoadAll(uint3 thread : SV_DispatchThreadID)
@@ -152,9 +152,9 @@ public sealed class GatheredPointsTests : GraphicsFixture
         return all;
     }
 
-    static Gathered[] Read(GatheredPoints buffers)
+    static Gathered[] Read(PointCloudBuffers buffers)
     {
-        var words = new uint[buffers.Points.count * GatheredPoints.BytesPerPoint / sizeof(uint)];
+        var words = new uint[buffers.Points.count * PointCloudBuffers.BytesPerPoint / sizeof(uint)];
         buffers.Points.GetData(words);
         return Enumerable.Range(0, buffers.Count).Select(i => new Gathered(
             new float3(math.asfloat(words[4 * i]), math.asfloat(words[4 * i + 1]), math.asfloat(words[4 * i + 2])),
@@ -187,7 +187,7 @@ public sealed class GatheredPointsTests : GraphicsFixture
     {
         int cloud = Show(mode, isTurned);
         var origin = Middle(cloud);
-        using var buffers = new GatheredPoints(2 * Points);
+        using var buffers = new PointCloudBuffers(2 * Points);
         if (isClipped)
             m_stream.SetClipBoxes([new ClipBox(origin - 1000, origin + new double3(1.23456, 1000, 1000))]);
         Assert.That(buffers.Update(cloud, origin), Is.True);
@@ -212,7 +212,7 @@ public sealed class GatheredPointsTests : GraphicsFixture
         var streamed = m_stream.Clouds[cloud];
         Assert.That(m_stream.Drawn.AsArray().ToArray().Any(d => streamed.Pages[d.Page].Addresses[d.Node].IsWide));
         var first = Unpack(cloud, 0, ColorMode.Elevation)[0].Position;
-        using var buffers = new GatheredPoints(3000);
+        using var buffers = new PointCloudBuffers(3000);
         Assert.That(buffers.Update(cloud, first), Is.True);
         Check(Read(buffers), Unpack(cloud, first, ColorMode.Elevation));
     }
@@ -223,7 +223,7 @@ public sealed class GatheredPointsTests : GraphicsFixture
     {
         int cloud = Show(ColorMode.Rgb);
         var origin = Middle(cloud);
-        using var buffers = new GatheredPoints(maxPoints);
+        using var buffers = new PointCloudBuffers(maxPoints);
         Assert.That(buffers.Update(cloud, origin), Is.True);
         ulong share = ((ulong)maxPoints << 32) / Points;
         var all = Unpack(cloud, origin, ColorMode.Rgb);
@@ -240,7 +240,7 @@ public sealed class GatheredPointsTests : GraphicsFixture
     {
         int cloud = Show(ColorMode.Rgb);
         var origin = Middle(cloud);
-        using var buffers = new GatheredPoints(Points);
+        using var buffers = new PointCloudBuffers(Points);
         buffers.Update(cloud, origin);
         File.WriteAllText(m_scratch["load.compute"], LoadAll);
         var shader = HeadlessShaders.LoadCompute(m_scratch["load.compute"]);
@@ -271,13 +271,13 @@ public sealed class GatheredPointsTests : GraphicsFixture
     [Test]
     public void Update_NothingShown_AllocatesNothing()
     {
-        using var buffers = new GatheredPoints(GatheredPoints.MaxPointsLimit);
+        using var buffers = new PointCloudBuffers(PointCloudBuffers.MaxPointsLimit);
         foreach (int cloud in new[] { -1, 0, 7 })
             Assert.That(buffers.Update(cloud, 0), Is.False);
         Assert.That((buffers.Points, buffers.Count), Is.EqualTo(((GraphicsBuffer)null, 0)));
         Assert.That(() => buffers.Bind(new MaterialPropertyBlock()), Throws.InvalidOperationException);
-        foreach (int room in new[] { 0, GatheredPoints.MaxPointsLimit + 1 })
-            Assert.That(() => new GatheredPoints(room), Throws.InstanceOf<ArgumentException>());
+        foreach (int room in new[] { 0, PointCloudBuffers.MaxPointsLimit + 1 })
+            Assert.That(() => new PointCloudBuffers(room), Throws.InstanceOf<ArgumentException>());
     }
 
     /// <summary>Beside what the safety checks of a test build remember of the list's job.</summary>
@@ -285,7 +285,7 @@ public sealed class GatheredPointsTests : GraphicsFixture
     public void Update_AgainAndAgain_MakesNoGarbage()
     {
         int cloud = Show(ColorMode.Rgb);
-        using var buffers = new GatheredPoints(1000);
+        using var buffers = new PointCloudBuffers(1000);
         using var sizes = new SizeTree();
         using var list = new DrawList(sizes);
         m_scene.TryGetLook(cloud, out var look);

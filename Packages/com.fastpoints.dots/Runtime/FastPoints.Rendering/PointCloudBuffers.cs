@@ -9,9 +9,9 @@ namespace FastPoints.Rendering
 {
     /// <summary>The points of one cloud for effects: those that the cameras' pictures have, unpacked on the graphics card into
     /// one buffer, whose content changes in <see cref="Update"/> alone. Shaders include
-    /// <c>Packages/com.fastpoints.dots/Shaders/GatheredPoints.hlsl</c> and call <c>FastPoints_Load(i, position, color)</c>.
+    /// <c>Packages/com.fastpoints.dots/Shaders/PointCloudBuffers.hlsl</c> and call <c>FastPoints_Load(i, position, color)</c>.
     /// Nothing is allocated before the first update. Main thread, no garbage.</summary>
-    public sealed class GatheredPoints : IDisposable
+    public sealed class PointCloudBuffers : IDisposable
     {
         /// <summary>Of a point in <see cref="Points"/>: three floats, from <see cref="OriginWorld"/> along the world's axes, and
         /// a colour in sRGB, red in the lowest byte, whose alpha is 0 where a clip box or a hidden class takes the point
@@ -34,7 +34,7 @@ namespace FastPoints.Rendering
         int m_cloud;
 
         /// <param name="maxPoints">Of more points an even share is kept; 1 to <see cref="MaxPointsLimit"/>.</param>
-        public GatheredPoints(int maxPoints)
+        public PointCloudBuffers(int maxPoints)
         {
             if (maxPoints < 1 || maxPoints > MaxPointsLimit)
                 throw new ArgumentOutOfRangeException(nameof(maxPoints), maxPoints, "wanted 1 to " + MaxPointsLimit);
