@@ -21,8 +21,8 @@ public struct DamageAllJob : IJobChunk
 
 public struct TintAll : IJobChunk
 {
-    public ComponentTypeHandle<NodeTint> Tint;
-    public ComponentTypeHandle<NodeHidden> Hidden;
+    public ComponentTypeHandle<Tint> Tint;
+    public ComponentTypeHandle<Hidden> Hidden;
     [ReadOnly] public ComponentTypeHandle<PointCloudNode> Node;
     public int Frame;
 
@@ -32,7 +32,7 @@ public struct TintAll : IJobChunk
         var nodes = chunk.GetNativeArray(ref Node);
         for (int i = 0; i < chunk.Count; i++)
         {
-            tints[i] = new NodeTint { Rgba = (uint)(nodes[i].PointCount * 77 + Frame) };
+            tints[i] = new Tint { Rgba = (uint)(nodes[i].PointCount * 77 + Frame) };
             chunk.SetComponentEnabled(ref Tint, i, (i + Frame) % 2 == 0);
             chunk.SetComponentEnabled(ref Hidden, i, (i + Frame) % 3 == 0);
         }
@@ -49,7 +49,7 @@ public sealed partial class TintSystem : SystemBase
     internal int Scheduled { get; private set; }
 
     protected override void OnCreate() =>
-        m_nodes = new EntityQueryBuilder(Allocator.Temp).WithPresent<NodeTint, NodeHidden>()
+        m_nodes = new EntityQueryBuilder(Allocator.Temp).WithPresent<Tint, Hidden>()
             .WithAll<PointCloudNode>().Build(this);
 
     protected override void OnUpdate()
@@ -57,8 +57,8 @@ public sealed partial class TintSystem : SystemBase
         Scheduled += m_nodes.CalculateEntityCount();
         Dependency = new TintAll
         {
-            Tint = GetComponentTypeHandle<NodeTint>(),
-            Hidden = GetComponentTypeHandle<NodeHidden>(),
+            Tint = GetComponentTypeHandle<Tint>(),
+            Hidden = GetComponentTypeHandle<Hidden>(),
             Node = GetComponentTypeHandle<PointCloudNode>(true),
             Frame = m_frame++,
         }.ScheduleParallel(m_nodes, Dependency);

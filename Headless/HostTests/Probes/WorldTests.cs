@@ -139,7 +139,7 @@ public sealed unsafe class WorldTests
         var commands = Commands();
         using (var all = nodes.ToEntityArray(Allocator.Temp))
             for (int i = 0; i < all.Length; i += 2)
-                commands.SetComponentEnabled<NodeHidden>(all[i], true);
+                commands.SetComponentEnabled<Hidden>(all[i], true);
         probe.Frame();
         commands = Commands();
         commands.DestroyEntity(entity);

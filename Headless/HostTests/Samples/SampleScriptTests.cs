@@ -178,7 +178,7 @@ public sealed class SampleScriptTests
         m_world.Frame();
 
         Assert.That(m_world.Group.Stream.Settings.Selection.PointBudget, Is.EqualTo(1_000_000));
-        Assert.That(m_world.Count<NodeTint>(), Is.EqualTo(m_world.Count<PointCloudNode>()).And.GreaterThan(0));
+        Assert.That(m_world.Count<Tint>(), Is.EqualTo(m_world.Count<PointCloudNode>()).And.GreaterThan(0));
         start.enabled = false;
         m_world.Frames(() => m_world.Count<PointCloudNode>() == 0);
     }

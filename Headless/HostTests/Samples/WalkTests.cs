@@ -254,7 +254,7 @@ public sealed class WalkTests : GraphicsFixture
         MakeScene("Entities only");
         Play();
         Settle();
-        Until(() => Count<NodeTint>() > 0 && Count<NodeTint>() == Count<PointCloudNode>());
+        Until(() => Count<Tint>() > 0 && Count<Tint>() == Count<PointCloudNode>());
         Stop();
         Assert.That(Count<PointCloudNode>(), Is.Zero, "step 10");
     }

@@ -16,7 +16,7 @@ namespace FastPoints.Samples.EntitiesOnly
         EntityQuery m_untinted;
 
         protected override void OnCreate() => m_untinted = new EntityQueryBuilder(Allocator.Temp)
-            .WithAll<PointCloudNode>().WithAll<PointCloudNodeBounds>().WithDisabled<NodeTint>().Build(this);
+            .WithAll<PointCloudNode>().WithAll<PointCloudNodeBounds>().WithDisabled<Tint>().Build(this);
 
         protected override void OnUpdate()
         {
@@ -26,8 +26,8 @@ namespace FastPoints.Samples.EntitiesOnly
             using var bounds = m_untinted.ToComponentDataArray<PointCloudNodeBounds>(Allocator.Temp);
             for (int i = 0; i < nodes.Length; i++)
             {
-                EntityManager.SetComponentData(nodes[i], new NodeTint { Rgba = s_tints[Step(bounds[i].Half)] });
-                EntityManager.SetComponentEnabled<NodeTint>(nodes[i], true);
+                EntityManager.SetComponentData(nodes[i], new Tint { Rgba = s_tints[Step(bounds[i].Half)] });
+                EntityManager.SetComponentEnabled<Tint>(nodes[i], true);
             }
         }
 

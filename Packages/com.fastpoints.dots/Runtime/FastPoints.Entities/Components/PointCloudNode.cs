@@ -5,8 +5,8 @@ namespace FastPoints.Entities
 {
     /// <summary>A node of a cloud's octree that is in flight or in memory, if <see cref="PointCloudNodesWanted"/> asks for it:
     /// its entity lives as long, or is some frames late. It comes with <see cref="PointCloudNodeBounds"/>; with
-    /// <see cref="NodeRequested"/>, <see cref="NodeResident"/> and <see cref="NodeDrawn"/>, which show its state; and with
-    /// <see cref="NodeHidden"/>, <see cref="NodePinned"/> and <see cref="NodeTint"/>, which users may enable.</summary>
+    /// <see cref="Requested"/>, <see cref="Resident"/> and <see cref="Drawn"/>, which show its state; and with
+    /// <see cref="Hidden"/>, <see cref="Pinned"/> and <see cref="Tint"/>, which users may enable.</summary>
     public struct PointCloudNode : IComponentData
     {
         public Entity Cloud;
@@ -32,22 +32,22 @@ namespace FastPoints.Entities
     }
 
     /// <summary>The node is in flight: not all of it is in memory.</summary>
-    public struct NodeRequested : IComponentData, IEnableableComponent { }
+    public struct Requested : IComponentData, IEnableableComponent { }
 
     /// <summary>All of the node is in memory.</summary>
-    public struct NodeResident : IComponentData, IEnableableComponent { }
+    public struct Resident : IComponentData, IEnableableComponent { }
 
     /// <summary>The node is in the list of what to draw.</summary>
-    public struct NodeDrawn : IComponentData, IEnableableComponent { }
+    public struct Drawn : IComponentData, IEnableableComponent { }
 
     /// <summary>Users enable this to hide a node; what is below it is still drawn.</summary>
-    public struct NodeHidden : IComponentData, IEnableableComponent { }
+    public struct Hidden : IComponentData, IEnableableComponent { }
 
     /// <summary>Users enable this to keep a node as long as the memory budget has any room for it.</summary>
-    public struct NodePinned : IComponentData, IEnableableComponent { }
+    public struct Pinned : IComponentData, IEnableableComponent { }
 
     /// <summary>Users enable this to multiply the colours of the node's points.</summary>
-    public struct NodeTint : IComponentData, IEnableableComponent
+    public struct Tint : IComponentData, IEnableableComponent
     {
         /// <summary>sRGB with red, green, blue, alpha from the lowest byte; white leaves colours unchanged.</summary>
         public uint Rgba;

@@ -18,9 +18,9 @@ namespace FastPoints.Entities
         protected override void OnCreate()
         {
             base.OnCreate();
-            m_hidden = GetEntityQuery(ComponentType.ReadOnly<PointCloudNode>(), ComponentType.ReadOnly<NodeHidden>());
-            m_pinned = GetEntityQuery(ComponentType.ReadOnly<PointCloudNode>(), ComponentType.ReadOnly<NodePinned>());
-            m_tinted = GetEntityQuery(ComponentType.ReadOnly<PointCloudNode>(), ComponentType.ReadOnly<NodeTint>());
+            m_hidden = GetEntityQuery(ComponentType.ReadOnly<PointCloudNode>(), ComponentType.ReadOnly<Hidden>());
+            m_pinned = GetEntityQuery(ComponentType.ReadOnly<PointCloudNode>(), ComponentType.ReadOnly<Pinned>());
+            m_tinted = GetEntityQuery(ComponentType.ReadOnly<PointCloudNode>(), ComponentType.ReadOnly<Tint>());
             m_controlled = new NativeList<PointCloudNode>(Allocator.Persistent);
         }
 
@@ -69,7 +69,7 @@ namespace FastPoints.Entities
         void Tint(NodeCache cache)
         {
             using var nodes = m_tinted.ToComponentDataArray<PointCloudNode>(Allocator.Temp);
-            using var tints = m_tinted.ToComponentDataArray<NodeTint>(Allocator.Temp);
+            using var tints = m_tinted.ToComponentDataArray<Tint>(Allocator.Temp);
             for (int i = 0; i < nodes.Length; i++)
                 if (TrySet(cache, nodes[i]))
                     cache.SetTint(nodes[i].Slot, tints[i].Rgba);

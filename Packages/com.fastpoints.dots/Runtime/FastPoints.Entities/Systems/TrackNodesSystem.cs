@@ -100,16 +100,16 @@ namespace FastPoints.Entities
         void CreatePrefab()
         {
             m_prefab = EntityManager.CreateEntity(ComponentType.ReadWrite<PointCloudNode>(),
-                ComponentType.ReadWrite<PointCloudNodeBounds>(), ComponentType.ReadWrite<NodeRequested>(),
-                ComponentType.ReadWrite<NodeResident>(), ComponentType.ReadWrite<NodeDrawn>(),
-                ComponentType.ReadWrite<NodeHidden>(),
-                ComponentType.ReadWrite<NodePinned>(), ComponentType.ReadWrite<NodeTint>(), ComponentType.ReadWrite<Prefab>());
-            EntityManager.SetComponentData(m_prefab, new NodeTint { Rgba = CachedNode.White });
-            EntityManager.SetComponentEnabled<NodeResident>(m_prefab, false);
-            EntityManager.SetComponentEnabled<NodeDrawn>(m_prefab, false);
-            EntityManager.SetComponentEnabled<NodeHidden>(m_prefab, false);
-            EntityManager.SetComponentEnabled<NodePinned>(m_prefab, false);
-            EntityManager.SetComponentEnabled<NodeTint>(m_prefab, false);
+                ComponentType.ReadWrite<PointCloudNodeBounds>(), ComponentType.ReadWrite<Requested>(),
+                ComponentType.ReadWrite<Resident>(), ComponentType.ReadWrite<Drawn>(),
+                ComponentType.ReadWrite<Hidden>(),
+                ComponentType.ReadWrite<Pinned>(), ComponentType.ReadWrite<Tint>(), ComponentType.ReadWrite<Prefab>());
+            EntityManager.SetComponentData(m_prefab, new Tint { Rgba = CachedNode.White });
+            EntityManager.SetComponentEnabled<Resident>(m_prefab, false);
+            EntityManager.SetComponentEnabled<Drawn>(m_prefab, false);
+            EntityManager.SetComponentEnabled<Hidden>(m_prefab, false);
+            EntityManager.SetComponentEnabled<Pinned>(m_prefab, false);
+            EntityManager.SetComponentEnabled<Tint>(m_prefab, false);
         }
 
         void Describe(Entity entity, int slot, CachedNode cached)
@@ -135,11 +135,11 @@ namespace FastPoints.Entities
             if ((tracked.Changes & TrackedNode.ResidentFlag) != 0)
             {
                 bool isResident = (tracked.State & TrackedNode.ResidentFlag) != 0;
-                EntityManager.SetComponentEnabled<NodeRequested>(tracked.Entity, !isResident);
-                EntityManager.SetComponentEnabled<NodeResident>(tracked.Entity, isResident);
+                EntityManager.SetComponentEnabled<Requested>(tracked.Entity, !isResident);
+                EntityManager.SetComponentEnabled<Resident>(tracked.Entity, isResident);
             }
             if ((tracked.Changes & TrackedNode.DrawnFlag) != 0)
-                EntityManager.SetComponentEnabled<NodeDrawn>(tracked.Entity, (tracked.State & TrackedNode.DrawnFlag) != 0);
+                EntityManager.SetComponentEnabled<Drawn>(tracked.Entity, (tracked.State & TrackedNode.DrawnFlag) != 0);
         }
 
         void FindClouds()

@@ -174,12 +174,12 @@ namespace FastPoints.Tests.Entities
             var cloud = Add();
             var stats = Settle(StreamedTestCloud.Overview());
             Assert.That(stats.DrawnPoints, Is.EqualTo(stats.SelectedPoints).And.GreaterThan(20_000));
-            Assert.That(Count<NodeDrawn>(), Is.EqualTo(stats.DrawnNodes));
-            Assert.That(Count<NodeResident>(), Is.EqualTo(stats.CachedNodes));
-            Assert.That(Count<NodeRequested>(), Is.Zero);
+            Assert.That(Count<Drawn>(), Is.EqualTo(stats.DrawnNodes));
+            Assert.That(Count<Resident>(), Is.EqualTo(stats.CachedNodes));
+            Assert.That(Count<Requested>(), Is.Zero);
             Assert.That(m_group.Live.Find(cloud).NextSource, Is.Null);
             long points = 0;
-            foreach (var entity in All<NodeDrawn>())
+            foreach (var entity in All<Drawn>())
             {
                 var node = Entities.GetComponentData<PointCloudNode>(entity);
                 Assert.That(node.Cloud, Is.EqualTo(cloud));
@@ -202,16 +202,16 @@ namespace FastPoints.Tests.Entities
             Add();
             SettleStream();
             Assert.That(Count<PointCloudNode>() + Count<Prefab>(), Is.Zero);
-            var tint = new NodeTint { Rgba = CachedNode.White };
+            var tint = new Tint { Rgba = CachedNode.White };
             for (int turn = 0; turn < 3; turn++)
             {
                 m_asking = Entities.CreateEntity(ComponentType.ReadWrite<PointCloudNodesWanted>());
                 var stats = Settle(StreamedTestCloud.Overview());
                 Assert.That(Count<PointCloudNode>(), Is.EqualTo(stats.CachedNodes).And.GreaterThan(20));
-                Assert.That(Count<NodeResident>(), Is.EqualTo(stats.CachedNodes));
-                Assert.That(Count<NodeDrawn>(), Is.EqualTo(stats.DrawnNodes));
-                Assert.That(Count<NodeRequested>() + Count<NodeHidden>() + Count<NodePinned>() + Count<NodeTint>(), Is.Zero);
-                Assert.That(All<PointCloudNode>().ToArray().All(e => Entities.GetComponentData<NodeTint>(e).Equals(tint)));
+                Assert.That(Count<Resident>(), Is.EqualTo(stats.CachedNodes));
+                Assert.That(Count<Drawn>(), Is.EqualTo(stats.DrawnNodes));
+                Assert.That(Count<Requested>() + Count<Hidden>() + Count<Pinned>() + Count<Tint>(), Is.Zero);
+                Assert.That(All<PointCloudNode>().ToArray().All(e => Entities.GetComponentData<Tint>(e).Equals(tint)));
                 Entities.DestroyEntity(m_asking);
                 Frame(StreamedTestCloud.Overview());
                 Assert.That(Count<PointCloudNode>(), Is.Zero);
@@ -253,7 +253,7 @@ namespace FastPoints.Tests.Entities
             for (int view = 0; view < 6; view++)
             {
                 var stats = Settle(StreamedTestCloud.Near(30 * view, 190 - 30 * view, view));
-                Assert.That(Count<NodeDrawn>(), Is.EqualTo(stats.DrawnNodes));
+                Assert.That(Count<Drawn>(), Is.EqualTo(stats.DrawnNodes));
                 Assert.That(All<PointCloudNode>().ToArray().Select(e => Entities.GetComponentData<PointCloudNode>(e))
                     .Select(n => (n.Page, n.Node)), Is.Unique);
             }
@@ -265,13 +265,13 @@ namespace FastPoints.Tests.Entities
             Begin();
             Add();
             var all = Settle(StreamedTestCloud.Overview());
-            var node = All<NodeDrawn>()[0];
-            Entities.SetComponentEnabled<NodeHidden>(node, true);
+            var node = All<Drawn>()[0];
+            Entities.SetComponentEnabled<Hidden>(node, true);
             var without = Frame(StreamedTestCloud.Overview());
             Assert.That(without.DrawnNodes, Is.EqualTo(all.DrawnNodes - 1));
             Assert.That(without.IsSettled, Is.True);
-            Assert.That(Entities.IsComponentEnabled<NodeDrawn>(node), Is.False);
-            Entities.SetComponentEnabled<NodeHidden>(node, false);
+            Assert.That(Entities.IsComponentEnabled<Drawn>(node), Is.False);
+            Entities.SetComponentEnabled<Hidden>(node, false);
             Assert.That(Frame(StreamedTestCloud.Overview()).DrawnNodes, Is.EqualTo(all.DrawnNodes));
         }
 
@@ -281,9 +281,9 @@ namespace FastPoints.Tests.Entities
             Begin();
             Add();
             Settle(StreamedTestCloud.Overview());
-            var entity = All<NodeDrawn>()[3];
-            Entities.SetComponentData(entity, new NodeTint { Rgba = 0xFF0000FF });
-            Entities.SetComponentEnabled<NodeTint>(entity, true);
+            var entity = All<Drawn>()[3];
+            Entities.SetComponentData(entity, new Tint { Rgba = 0xFF0000FF });
+            Entities.SetComponentEnabled<Tint>(entity, true);
             Frame(StreamedTestCloud.Overview());
             var node = Entities.GetComponentData<PointCloudNode>(entity);
             foreach (var drawn in m_group.Stream.Drawn)
@@ -300,9 +300,9 @@ namespace FastPoints.Tests.Entities
             m_group.Stream.Settings.Selection.PointBudget = 8000;
             Settle(StreamedTestCloud.Near(10, 10, 3));
             // The last that were selected are the first to go.
-            var pinned = All<NodeDrawn>().ToArray()
+            var pinned = All<Drawn>().ToArray()
                 .OrderByDescending(e => Entities.GetComponentData<PointCloudNode>(e).Page).First();
-            Entities.SetComponentEnabled<NodePinned>(pinned, true);
+            Entities.SetComponentEnabled<Pinned>(pinned, true);
             int evicted = 0;
             // On a busy machine frames pass without reads: then there are more of them.
             for (int view = 0; view < 8 || (evicted <= 50 && view < 10_000); view++)
