@@ -83,7 +83,7 @@ public sealed class ShadowTests : GraphicsFixture
         using var streams = Streams(offset);
         var camera = Above(new double3(7, Post, 0) + offset);
         var pictures = streams.Draw(camera);
-        double texel = streams.ShadowProjection(camera).TexelWorld;
+        double texel = streams.ShadowMapProjection(camera).TexelWorld;
         Assert.That(texel, Is.InRange(0.005, 0.02));
         Assert.That(streams.ShareThatDiffers(pictures, out _, 1), Is.LessThan(0.003));
         foreach (var image in new[] { pictures.Cpu, pictures.Gpu })
@@ -138,7 +138,7 @@ public sealed class ShadowTests : GraphicsFixture
         {
             var eye = new double3(3 + i * 0.37, 10 - i * 0.2, 8) + offset;
             var camera = PictureCamera.Perspective(eye, eye + new double3(0.3, 1, -2), new double3(0, 0, 1), 60);
-            var frame = new ShadowProjection(new float3(0.4f, 0.3f, 0.8f), 1);
+            var frame = new ShadowMapProjection(new float3(0.4f, 0.3f, 0.8f), 1);
             frame.Add(camera.ToStreamView(640, 360), new CloudPlacement(double3x3.identity, offset), 50,
                 new double3(50, 50, 50));
             frame.Fit();

@@ -56,7 +56,7 @@ sealed class TwinStreams : IDisposable
     public PicturePlan Plan { get; private set; }
     public DisplayRanges Ranges { get; private set; }
 
-    public ShadowProjection ShadowProjection(PictureCamera camera) => Plan.ShadowFrameFor(m_gpu, camera);
+    public ShadowMapProjection ShadowMapProjection(PictureCamera camera) => Plan.ShadowFrameFor(m_gpu, camera);
 
     public void Light(PointLighting light) => m_plans.ForEach(plan => plan.Light = light);
 

@@ -22,7 +22,7 @@ float4x4 _FastPointsAdditionalAxes;
 int _FastPointsAdditionalCount;
 
 #if defined(FASTPOINTS_SHADOWED)
-// ShadowProjection.EdgePx; MainLightShadow.BiasTexels, SlopeTexels; 4 * WholeShare.
+// ShadowMapProjection.EdgePx; MainLightShadow.BiasTexels, SlopeTexels; 4 * WholeShare.
 #define FASTPOINTS_SHADOW_EDGE 1024
 #define FASTPOINTS_SHADOW_BIAS 1.0
 #define FASTPOINTS_SHADOW_SLOPE 2.0

@@ -62,7 +62,7 @@ namespace FastPoints.Picture
                     m_options.SamplesPerEdge);
                 canvas.UseShadows(Plan.ShadowFrameOfPicture());
                 selection.Choose(view, m_budget,
-                    canvas.Shadows == null ? (StreamView?)null : canvas.ShadowProjection.ViewFor(view));
+                    canvas.Shadows == null ? (StreamView?)null : canvas.ShadowMapProjection.ViewFor(view));
                 using var batch = new PointBatch(schema, selection.PointCountOrThrow, Allocator.Persistent);
                 yield return JobStep.Of(LoadNodes.Run(m_folder, selection, batch, progress));
                 NodesDrawn = selection.NodeCount;

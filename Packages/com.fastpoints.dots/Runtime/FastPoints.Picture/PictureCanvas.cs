@@ -60,18 +60,18 @@ namespace FastPoints.Picture
 
         // The main light's depth map; null without. Who draws a point here draws it there, too.
         public PictureCanvas Shadows { get; private set; }
-        public ShadowProjection ShadowProjection { get; private set; }
+        public ShadowMapProjection ShadowMapProjection { get; private set; }
 
         // Of a frame without texels: none.
-        public void UseShadows(in ShadowProjection frame)
+        public void UseShadows(in ShadowMapProjection frame)
         {
-            ShadowProjection = frame;
+            ShadowMapProjection = frame;
             if (frame.TexelWorld > 0)
-                Shadows ??= new PictureCanvas(ShadowProjection.EdgePx, ShadowProjection.EdgePx, Allocator.Persistent);
+                Shadows ??= new PictureCanvas(ShadowMapProjection.EdgePx, ShadowMapProjection.EdgePx, Allocator.Persistent);
         }
 
-        public ShadowMap ShadowMapFor(double3 eye) => ShadowProjection.TexelWorld > 0
-            ? new ShadowMap { Pixels = Shadows.m_pixels, Shadow = ShadowProjection.From(eye) } : default;
+        public ShadowMap ShadowMapFor(double3 eye) => ShadowMapProjection.TexelWorld > 0
+            ? new ShadowMap { Pixels = Shadows.m_pixels, Shadow = ShadowMapProjection.From(eye) } : default;
 
         public NativeArray<uint> Palettes => m_palettes;
         public NativeArray<float> SizeOfTile => m_sizeOfTile; // Row by row from the top: see PointSizing.

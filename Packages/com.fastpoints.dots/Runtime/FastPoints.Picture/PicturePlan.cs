@@ -89,17 +89,17 @@ namespace FastPoints.Picture
         public PointDrawing ShadowDrawingOf(PointBatch batch, PictureCanvas canvas)
         {
             var drawing = DrawingOf(batch, canvas.Shadows);
-            drawing.Projection = new PointProjection(ShadowMap.CameraOf(canvas.ShadowProjection), m_transform,
-                ShadowProjection.EdgePx,
-                ShadowProjection.EdgePx);
+            drawing.Projection = new PointProjection(ShadowMap.CameraOf(canvas.ShadowMapProjection), m_transform,
+                ShadowMapProjection.EdgePx,
+                ShadowMapProjection.EdgePx);
             (drawing.IsWorldSize, drawing.MaxTileSizePx) = (false, 1);
             return drawing;
         }
 
-        ShadowProjection NewShadowFrame() => new ShadowProjection(Light.Direction, m_ranges.LengthsPerUnit);
+        ShadowMapProjection NewShadowFrame() => new ShadowMapProjection(Light.Direction, m_ranges.LengthsPerUnit);
 
         // Around what a camera sees of the stream's clouds; without texels where nothing is shaded.
-        public ShadowProjection ShadowFrameFor(StreamContext stream, in Camera camera)
+        public ShadowMapProjection ShadowFrameFor(StreamContext stream, in Camera camera)
         {
             if (!m_options.Shadows)
                 return default;
@@ -122,7 +122,7 @@ namespace FastPoints.Picture
         }
 
         // Around what the picture's own camera sees.
-        public ShadowProjection ShadowFrameOfPicture()
+        public ShadowMapProjection ShadowFrameOfPicture()
         {
             if (!m_options.Shadows)
                 return default;

@@ -12,7 +12,7 @@ namespace FastPoints.Picture
         public MainLightShadow Shadow;
 
         // What draws it, as points of one pixel.
-        public static Camera CameraOf(in ShadowProjection frame) => new Camera
+        public static Camera CameraOf(in ShadowMapProjection frame) => new Camera
         {
             EyeGeo = frame.EyeWorld,
             Right = frame.Right,
@@ -25,7 +25,7 @@ namespace FastPoints.Picture
         // 1 for all. facing: the cosine between the surface and the light, more than 0.
         public readonly float At(float3 place, float facing)
         {
-            const int edge = ShadowProjection.EdgePx;
+            const int edge = ShadowMapProjection.EdgePx;
             float column = math.dot(Shadow.Column, place) + Shadow.Eye.x, row = math.dot(Shadow.Row, place) + Shadow.Eye.y;
             if (Pixels.Length == 0 || !(column >= 1 && row >= 1 && column <= edge - 1 && row <= edge - 1))
                 return 1;

@@ -17,7 +17,7 @@ namespace FastPoints.Rendering
         StreamContext m_stream;
         StreamView m_view;
         StreamView? m_rightEye;
-        ShadowProjection m_frame;
+        ShadowMapProjection m_frame;
         bool m_isFit;
 
         public MainLightShadows(ComputeShader raster)
@@ -40,7 +40,7 @@ namespace FastPoints.Rendering
         {
             if (m_isFit)
                 return m_frame.TexelWorld > 0;
-            m_frame = new ShadowProjection(toLight, 1);
+            m_frame = new ShadowMapProjection(toLight, 1);
             m_frame.Add(m_stream, m_view);
             if (m_rightEye != null)
                 m_frame.Add(m_stream, m_rightEye.Value);
@@ -60,8 +60,8 @@ namespace FastPoints.Rendering
                 // However near or far: the map keeps what is nearest to the light.
                 ViewProjection = ShaderValues.RowsOf(ShaderValues.VectorOf((float3)m_frame.Right * perUnit),
                     ShaderValues.VectorOf((float3)m_frame.Up * perUnit), new Vector4(0, 0, 0, 0.5f), new Vector4(0, 0, 0, 1)),
-                WidthPx = ShadowProjection.EdgePx,
-                HeightPx = ShadowProjection.EdgePx,
+                WidthPx = ShadowMapProjection.EdgePx,
+                HeightPx = ShadowMapProjection.EdgePx,
                 Forward = ShaderValues.VectorOf((float3)m_frame.Forward),
                 IsOrthographic = true,
             };

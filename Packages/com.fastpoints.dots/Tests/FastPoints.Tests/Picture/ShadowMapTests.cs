@@ -10,10 +10,10 @@ namespace FastPoints.Tests.Picture
     public sealed class ShadowMapTests
     {
         // A cube of 100 m, from a corner within it; degrees beside metres where lengths differ.
-        static ShadowProjection FrameOf(double3 origin, double3 lengths, float3 toLight, out Camera camera)
+        static ShadowMapProjection FrameOf(double3 origin, double3 lengths, float3 toLight, out Camera camera)
         {
             camera = Camera.Perspective(origin + 60 / lengths, origin + 10 / lengths, new double3(0, 0, 1), 60);
-            var frame = new ShadowProjection(toLight, lengths);
+            var frame = new ShadowMapProjection(toLight, lengths);
             frame.Add(camera.ToStreamView(640, 360), new CloudPlacement(double3x3.identity, origin), 50 / lengths, 50 / lengths);
             frame.Fit();
             return frame;
@@ -27,8 +27,8 @@ namespace FastPoints.Tests.Picture
             {
                 var frame = FrameOf(origin, lengths, toLight, out var camera);
                 var projection = new PointProjection(ShadowMap.CameraOf(frame), PositionTransform.Identity,
-                    ShadowProjection.EdgePx,
-                    ShadowProjection.EdgePx);
+                    ShadowMapProjection.EdgePx,
+                    ShadowMapProjection.EdgePx);
                 var seen = frame.From(camera.EyeGeo);
                 for (int i = 0; i < 27; i++)
                 {
@@ -47,13 +47,13 @@ namespace FastPoints.Tests.Picture
         public void Fit_View_HasAllThatItShows(double fovDegrees)
         {
             var camera = Camera.Perspective(new double3(50, -100, 120), new double3(50, 50, 0), new double3(0, 0, 1), fovDegrees);
-            var frame = new ShadowProjection(new float3(1, 2, 3), 1);
+            var frame = new ShadowMapProjection(new float3(1, 2, 3), 1);
             frame.Add(camera.ToStreamView(640, 360), new CloudPlacement(double3x3.identity, 0), new double3(50, 50, 1),
                 new double3(50, 50, 1));
             frame.Fit();
             Assert.That(frame.EdgeWorld, fovDegrees > 30 ? Is.InRange(64, 256) : Is.InRange(4, 32));
-            var light = new PointProjection(ShadowMap.CameraOf(frame), PositionTransform.Identity, ShadowProjection.EdgePx,
-                ShadowProjection.EdgePx);
+            var light = new PointProjection(ShadowMap.CameraOf(frame), PositionTransform.Identity, ShadowMapProjection.EdgePx,
+                ShadowMapProjection.EdgePx);
             var picture = new PointProjection(camera, PositionTransform.Identity, 640, 360);
             int shown = 0;
             for (int i = 0; i < 500 * 500; i++)
@@ -64,8 +64,8 @@ namespace FastPoints.Tests.Picture
                     continue;
                 shown++;
                 light.Project(place.x, place.y, 0, out double column, out double row, out _);
-                Assert.That(column, Is.InRange(1, ShadowProjection.EdgePx - 1));
-                Assert.That(row, Is.InRange(1, ShadowProjection.EdgePx - 1));
+                Assert.That(column, Is.InRange(1, ShadowMapProjection.EdgePx - 1));
+                Assert.That(row, Is.InRange(1, ShadowMapProjection.EdgePx - 1));
             }
             Assert.That(shown, Is.GreaterThan(20));
         }
@@ -74,7 +74,7 @@ namespace FastPoints.Tests.Picture
         [TestCase(-0.5f, ExpectedResult = 1)] // Within a texel.
         public float At_TexelsByDepth_AreShadedFromBefore(float depth)
         {
-            using var pixels = new NativeArray<ulong>(ShadowProjection.EdgePx * ShadowProjection.EdgePx, Allocator.Persistent);
+            using var pixels = new NativeArray<ulong>(ShadowMapProjection.EdgePx * ShadowMapProjection.EdgePx, Allocator.Persistent);
             var keys = pixels;
             for (int i = 0; i < keys.Length; i++)
                 keys[i] = PointDrawing.KeyOf(depth, 1, 0, 0);

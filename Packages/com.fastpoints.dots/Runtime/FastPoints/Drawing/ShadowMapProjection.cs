@@ -7,7 +7,7 @@ namespace FastPoints.Drawing
     // Where the main light's depth map lies: a square across the light, around what a camera may see of the clouds. It rests in
     // the world: its texels' length is a power of two, and it moves by whole ones, so that they stay where they are whatever
     // the camera does.
-    internal unsafe struct ShadowProjection
+    internal unsafe struct ShadowMapProjection
     {
         public const int EdgePx = 1024;
         const int StepPx = 64; // The map moves by so many texels at once, and has as many to spare.
@@ -19,7 +19,7 @@ namespace FastPoints.Drawing
         double3 m_min, m_max; // To the right, up and along the light.
 
         /// <param name="lengths">Of the world's units along each axis, which differ where they are degrees.</param>
-        public ShadowProjection(float3 toLight, double3 lengths)
+        public ShadowMapProjection(float3 toLight, double3 lengths)
         {
             this = default;
             m_lengths = lengths;
