@@ -74,7 +74,8 @@ namespace FastPoints.Tests.Picture
         [TestCase(-0.5f, ExpectedResult = 1)] // Within a texel.
         public float At_TexelsByDepth_AreShadedFromBefore(float depth)
         {
-            using var pixels = new NativeArray<ulong>(ShadowMapProjection.EdgePx * ShadowMapProjection.EdgePx, Allocator.Persistent);
+            using var pixels = new NativeArray<ulong>(ShadowMapProjection.EdgePx * ShadowMapProjection.EdgePx,
+                Allocator.Persistent);
             var keys = pixels;
             for (int i = 0; i < keys.Length; i++)
                 keys[i] = PointDrawing.KeyOf(depth, 1, 0, 0);
