@@ -4,7 +4,7 @@ public sealed record ErrorCurve(string Name, string Description)
 {
     public List<ErrorWave> Waves { get; } = [];
 
-    public void KeepFaster(IEnumerable<SampleWave> rerun)
+    public void KeepFaster(IEnumerable<PreviewSample.Wave> rerun)
     {
         int i = 0;
         foreach (var wave in rerun)
@@ -16,4 +16,4 @@ public sealed record ErrorCurve(string Name, string Description)
     }
 }
 
-public sealed record ErrorWave(SampleWave Wave, SampleError Error, byte[] IsoPng);
+public sealed record ErrorWave(PreviewSample.Wave Wave, SampleError Error, byte[] IsoPng);

@@ -8,7 +8,7 @@ public sealed class PreviewStep
     public required double Fraction { get; init; }
     public required long BytesRead { get; init; }
     public required string Method { get; init; }
-    public required IReadOnlyList<SampleWave> Waves { get; init; }
+    public required IReadOnlyList<PreviewSample.Wave> Waves { get; init; }
     public required JobDurations Slices { get; set; }
     public required double Seconds { get; init; }
     public required RgbaImage Image { get; init; }

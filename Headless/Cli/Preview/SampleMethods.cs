@@ -75,7 +75,7 @@ public sealed class SampleMethods(Func<PointReader> open, PreviewOptions options
     static MeasuredSample OneWave(PointBatch points, PointReader reader, double seconds, long bytesRead)
     {
         var measured = new MeasuredSample(reader.Info.Transform);
-        measured.Add(new SampleWave { Points = points.Count, BytesRead = bytesRead }, seconds, points);
+        measured.Add(new PreviewSample.Wave { Points = points.Count, BytesRead = bytesRead }, seconds, points);
         return measured;
     }
 

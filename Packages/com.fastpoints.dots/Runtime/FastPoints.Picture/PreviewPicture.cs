@@ -27,7 +27,7 @@ namespace FastPoints.Picture
         }
 
         /// <summary>Raised when there is a sample to draw, coarse to fine; it is valid until the next step.</summary>
-        public event Action<PreviewSample, SampleWave> WaveReady
+        public event Action<PreviewSample, PreviewSample.Wave> WaveReady
         {
             add => m_sampling.WaveReady += value;
             remove => m_sampling.WaveReady -= value;
@@ -36,7 +36,7 @@ namespace FastPoints.Picture
         public PreviewSample Sample => m_sampling.Sample;
 
         /// <summary>When each sample was ready, coarse to fine; the last one is <see cref="Sample"/>.</summary>
-        public IReadOnlyList<SampleWave> Waves => m_sampling.Waves;
+        public IReadOnlyList<PreviewSample.Wave> Waves => m_sampling.Waves;
 
         public DisplayRanges Ranges { get; private set; }
 

@@ -126,7 +126,7 @@ namespace FastPoints.Surface
 
         IEnumerator<JobStep> ReadEdited(EditedNode node, Func<PointBatch, IEnumerator<JobStep>> take)
         {
-            m_transcoder ??= m_edited.Create();
+            m_transcoder ??= new EditedTranscoder(m_edited);
             PointBatch batch = null;
             var unpacked = default(JobHandle);
             m_transcoder.Begin(node);
@@ -192,7 +192,6 @@ namespace FastPoints.Surface
         public override void Dispose()
         {
             m_transcoder?.Dispose();
-            m_edited?.Dispose();
             base.Dispose();
         }
 

@@ -59,18 +59,18 @@ namespace FastPoints.Sampling
         public static int MaxPoints(PointSchema schema) => (int)(MaxBytes / (schema.BytesPerPoint + 1));
 
         public void Dispose() => Points.Dispose();
-    }
 
-    /// <summary>A prefix of a sample that could be drawn before the rest was there.</summary>
-    public struct SampleWave
-    {
-        /// <summary>The number of points in the prefix.</summary>
-        public int Points;
+        /// <summary>A prefix of a sample that could be drawn before the rest was there.</summary>
+        public struct Wave
+        {
+            /// <summary>The number of points in the prefix.</summary>
+            public int Points;
 
-        /// <summary>Time from the start of the sampling to the wave's last point.</summary>
-        public double Seconds;
+            /// <summary>Time from the start of the sampling to the wave's last point.</summary>
+            public double Seconds;
 
-        /// <summary>Bytes of the file that were read up to here.</summary>
-        public long BytesRead;
+            /// <summary>Bytes of the file that were read up to here.</summary>
+            public long BytesRead;
+        }
     }
 }

@@ -17,7 +17,7 @@ namespace FastPoints.Sampling
 
         readonly PointReader m_reader;
         readonly SampleOptions m_options;
-        readonly List<SampleWave> m_waves = new List<SampleWave>();
+        readonly List<PreviewSample.Wave> m_waves = new List<PreviewSample.Wave>();
         readonly Stopwatch m_watch = new Stopwatch();
         readonly (long Bytes, DateTime WrittenUtc) m_fileBefore;
 
@@ -30,14 +30,14 @@ namespace FastPoints.Sampling
 
         /// <summary>Raised on the coroutine's thread when there is a sample to draw, coarse to fine. This object owns it, and it
         /// belongs to the wave only until the work's next step.</summary>
-        public event Action<PreviewSample, SampleWave> WaveReady;
+        public event Action<PreviewSample, PreviewSample.Wave> WaveReady;
 
         bool IsQuick => m_options.Quick || m_reader.TakesFewRanges;
 
         public PreviewSample Sample { get; private set; }
 
         /// <summary>When each sample was ready, coarse to fine; the last one is <see cref="Sample"/>.</summary>
-        public IReadOnlyList<SampleWave> Waves => m_waves;
+        public IReadOnlyList<PreviewSample.Wave> Waves => m_waves;
 
         /// <summary>Coroutine, with the stages <c>sample</c>, <see cref="FindBlocksStage"/> and
         /// <see cref="RefineStage"/>.</summary>
@@ -90,7 +90,7 @@ namespace FastPoints.Sampling
                 yield return JobStep.Of(uniform.Run(0, progress));
                 Sample = uniform.TakeSample();
             }
-            var wave = new SampleWave { Points = Sample.Count, BytesRead = Sample.BytesRead };
+            var wave = new PreviewSample.Wave { Points = Sample.Count, BytesRead = Sample.BytesRead };
             Add(Sample, wave, m_watch.Elapsed.TotalSeconds, 0);
             yield return default;
         }
@@ -125,7 +125,7 @@ namespace FastPoints.Sampling
             Sample = sampler.TakeSample();
         }
 
-        void Add(PreviewSample sample, SampleWave wave, double secondsBefore, long bytesBefore)
+        void Add(PreviewSample sample, PreviewSample.Wave wave, double secondsBefore, long bytesBefore)
         {
             wave.Seconds += secondsBefore;
             wave.BytesRead += bytesBefore;

@@ -34,7 +34,7 @@ namespace FastPoints.Sampling
         readonly SampleStrata m_strata;
         readonly BoundsGeo m_bounds;
         readonly uint m_seed;
-        readonly List<SampleWave> m_waves = new List<SampleWave>();
+        readonly List<PreviewSample.Wave> m_waves = new List<PreviewSample.Wave>();
         readonly Stopwatch m_watch = new Stopwatch();
         SampleBuffer m_buffer;
         RefiningPlan m_plan;
@@ -72,9 +72,9 @@ namespace FastPoints.Sampling
             reader.BlockCount <= RefiningPlan.MaxSlicedBlocks ? MinFirstSamplePoints
                 : Math.Max(MinFirstSamplePoints, reader.PointCount / PointsPerFirstSamplePoint));
 
-        public event Action<SampleWave> WaveReady;
+        public event Action<PreviewSample.Wave> WaveReady;
 
-        public IReadOnlyList<SampleWave> Waves => m_waves;
+        public IReadOnlyList<PreviewSample.Wave> Waves => m_waves;
 
         /// <summary>The last wave's sample until the next one replaces and disposes it; null before the first.</summary>
         public PreviewSample Sample => m_sample;
@@ -225,7 +225,7 @@ namespace FastPoints.Sampling
         void RaiseWave()
         {
             double seconds = m_watch.Elapsed.TotalSeconds;
-            var wave = new SampleWave { Points = m_sample.Count, Seconds = seconds, BytesRead = m_bytesRead };
+            var wave = new PreviewSample.Wave { Points = m_sample.Count, Seconds = seconds, BytesRead = m_bytesRead };
             m_waves.Add(wave);
             WaveReady?.Invoke(wave);
         }

@@ -21,7 +21,7 @@ namespace FastPoints.Sampling
         readonly PointReader m_reader;
         readonly WaveReader m_reads;
         readonly SampleBuffer m_buffer;
-        readonly List<SampleWave> m_waves = new List<SampleWave>();
+        readonly List<PreviewSample.Wave> m_waves = new List<PreviewSample.Wave>();
         readonly Stopwatch m_watch = new Stopwatch();
         PreviewSample m_sample;
 
@@ -42,9 +42,9 @@ namespace FastPoints.Sampling
 
         /// <summary>Raised on the coroutine's thread after each wave, which is a prefix of <see cref="Sample"/> that can be drawn
         /// from then on.</summary>
-        public event Action<SampleWave> WaveReady;
+        public event Action<PreviewSample.Wave> WaveReady;
 
-        public IReadOnlyList<SampleWave> Waves => m_waves;
+        public IReadOnlyList<PreviewSample.Wave> Waves => m_waves;
 
         public PreviewSample Sample => m_sample;
 
@@ -90,7 +90,7 @@ namespace FastPoints.Sampling
             m_sample.Method = m_reads.Method;
             m_sample.BytesRead = m_reads.BytesRead;
             m_sample.PointsInSource = m_reader.PointCount;
-            var wave = new SampleWave
+            var wave = new PreviewSample.Wave
             {
                 Points = m_sample.Count,
                 Seconds = m_watch.Elapsed.TotalSeconds,

@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
@@ -96,5 +97,101 @@ namespace FastPoints.Store
 
         static uint MaxWidth(PlaneShape shape, int column) =>
             column >= shape.ColumnCount ? 0u : shape.IsWide(column) ? 64u : 32u;
+    }
+
+    /// <summary>Writes a plane from gathered values, block by block: the layout of <see cref="PlaneShape"/>.</summary>
+    internal unsafe struct BlockWriter
+    {
+        public readonly uint* Plane;
+        readonly PlaneShape m_shape;
+        uint* m_descriptor;
+
+        public BlockWriter(uint* plane, PlaneShape shape, int firstBlock, long word)
+        {
+            Plane = plane;
+            m_shape = shape;
+            m_descriptor = plane + (long)firstBlock * shape.DescriptorWords;
+            Word = word;
+        }
+
+        /// <summary>The plane's word after the packed ones.</summary>
+        public long Word { get; private set; }
+
+        /// <summary>Where a column of 64-bit values is gathered.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static ulong* WideOf(ulong* values, int column) => values + column * PlaneShape.MaxPointsPerBlock;
+
+        /// <summary>Where a column of 32-bit values is gathered.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static uint* NarrowOf(ulong* values, int column) => (uint*)values + column * PlaneShape.MaxPointsPerBlock;
+
+        /// <param name="values">The values, with room for <see cref="PlaneShape.MaxColumns"/> full columns.</param>
+        /// <param name="min">For each column, lowered to the block's smallest; <paramref name="max"/> raised to its
+        /// largest.</param>
+        public void Write(ulong* values, int count, ulong* min, ulong* max)
+        {
+            var shape = m_shape;
+            uint* plane = Plane, descriptor = m_descriptor;
+            long word = Word;
+            uint widths = (uint)(count - 1) << 24;
+            descriptor[0] = (uint)word;
+            for (int c = 0; c < shape.ColumnCount; c++)
+            {
+                int at = shape.MinimumWord(c), width;
+                ulong low, high;
+                if (shape.IsWide(c))
+                {
+                    ulong* column = WideOf(values, c);
+                    low = high = column[0];
+                    for (int i = 1; i < count; i++)
+                    {
+                        low = math.min(low, column[i]);
+                        high = math.max(high, column[i]);
+                    }
+                    width = BlockCodec.WidthOf(high - low);
+                    descriptor[at + 1] = (uint)(low >> 32);
+                    word += BlockCodec.PackWide(column, low, count, width, plane + word);
+                }
+                else
+                {
+                    uint* column = NarrowOf(values, c);
+                    BlockCodec.FindRange(column, count, out uint minNarrow, out uint maxNarrow);
+                    low = minNarrow;
+                    high = maxNarrow;
+                    width = BlockCodec.WidthOf(high - low);
+                    word += BlockCodec.Pack(column, minNarrow, count, width, plane + word);
+                }
+                min[c] = math.min(min[c], low);
+                max[c] = math.max(max[c], high);
+                widths |= (uint)width << (8 * c);
+                descriptor[at] = (uint)low;
+            }
+            descriptor[1] = widths;
+            m_descriptor = descriptor + shape.DescriptorWords;
+            Word = word;
+        }
+
+        // A block of another plane of this shape, as it is.
+        public void Copy(in PlaneView from, int block)
+        {
+            uint* source = from.Descriptor(block);
+            long words = 0;
+            for (int c = 0; c < m_shape.ColumnCount; c++)
+                words += PlaneShape.WordsOf(from.PointsOf(block), from.WidthOf(block, c));
+            UnsafeUtility.MemCpy(m_descriptor, source, m_shape.DescriptorWords * sizeof(uint));
+            UnsafeUtility.MemCpy(Plane + Word, from.Words + source[0], words * sizeof(uint));
+            m_descriptor[0] = (uint)Word;
+            m_descriptor += m_shape.DescriptorWords;
+            Word += words;
+        }
+
+        /// <summary>Clears the padding.</summary>
+        /// <returns>Its length in bytes.</returns>
+        public long End()
+        {
+            long length = PlaneShape.LengthBytes(Word);
+            UnsafeUtility.MemClear(Plane + Word, length - Word * sizeof(uint));
+            return length;
+        }
     }
 }

@@ -9,11 +9,15 @@ namespace FastPoints.Streaming
     /// <summary>The source of a cloud's folder, finished or not; then of the generation that was opened.</summary>
     public sealed class FolderSource : NodeSource
     {
+        const int MaxTranscoders = 8;
+
         readonly CloudFolder m_folder;
         readonly CloudLocalSpace m_grid;
         readonly List<ulong[]> m_checked = new List<ulong[]>(); // By page, once registered: see VerifiedPlanes.
         NativeArray<int> m_planes;
         NativeArray<PlaneShape> m_shapes;
+        readonly List<EditedTranscoder> m_transcoders = new List<EditedTranscoder>();
+        readonly Stack<NodeTranscoder> m_idle = new Stack<NodeTranscoder>();
         EditedNodes m_edited;
 
         /// <summary>Owns the folder. Streams the position and the named planes, as far as the cloud has them.</summary>
@@ -66,9 +70,19 @@ namespace FastPoints.Streaming
             folder.m_folder.Manifest.RootHash == m_folder.Manifest.RootHash;
 
         internal override bool Transcodes(int page, int node) => m_edited != null && m_edited.Has(page, node);
-        public override NodeTranscoder RentTranscoder(int points) => m_edited.Rent();
-        public override void ReturnTranscoder(NodeTranscoder transcoder) => m_edited.Return((EditedTranscoder)transcoder);
-        public override NodeTranscoder CreateFullTranscoder() => m_edited.Create();
+
+        public override NodeTranscoder RentTranscoder(int points)
+        {
+            if (m_idle.Count > 0)
+                return m_idle.Pop();
+            if (m_transcoders.Count == MaxTranscoders)
+                return null;
+            m_transcoders.Add(new EditedTranscoder(m_edited));
+            return m_transcoders[m_transcoders.Count - 1];
+        }
+
+        public override void ReturnTranscoder(NodeTranscoder transcoder) => m_idle.Push(transcoder);
+        public override NodeTranscoder CreateFullTranscoder() => new EditedTranscoder(m_edited);
 
         public override string Path => SourcePath.WithoutQuery(m_folder.FolderPath);
         public override CloudCrs Crs => m_folder.Manifest.Crs;
@@ -159,12 +173,21 @@ namespace FastPoints.Streaming
                 var source = OpenWhole(path);
                 source.Edits = edits;
                 return source;
-            }, opened, unwanted => unwanted.Dispose());
+            }, opened, unwanted => unwanted.DisposeUnread());
         }
 
         public override void Dispose()
         {
-            m_edited?.Dispose();
+            foreach (var transcoder in m_transcoders)
+                transcoder.Dispose();
+            m_transcoders.Clear();
+            m_idle.Clear();
+            DisposeUnread();
+        }
+
+        // On any thread, as long as no transcoder was rented.
+        void DisposeUnread()
+        {
             m_folder.Dispose();
             if (!m_planes.IsCreated)
                 return;

@@ -21,7 +21,7 @@ namespace FastPoints.Tests.Picture
                     TestBatches.Set(batch, axis, i, axis == 2 ? 0 : axis == 1 ? i / 800 : i % 800);
             using var reader = new MemoryPointReader(batch, 10_000, fixedStride: false);
             using var preview = new PreviewPicture(reader, new PreviewOptions { Points = 200_000 });
-            var waves = new List<SampleWave>();
+            var waves = new List<PreviewSample.Wave>();
             preview.WaveReady += (sample, wave) =>
             {
                 waves.Add(wave);

@@ -14,7 +14,7 @@ namespace FastPoints.Tests.Sampling
             using var reader = new VirtualReader(100_000_000, 10, false);
             Assert.That(reader.BlockCount, Is.EqualTo(10_000_000));
             using var sampler = new WaveSampler(reader, 200_000, 1);
-            var waves = new List<SampleWave>();
+            var waves = new List<PreviewSample.Wave>();
             sampler.WaveReady += waves.Add;
             JobCoroutine.RunToEnd(sampler.Run(0, new StageProgress()));
             Assert.That(waves.Select(w => w.Points), Is.EqualTo(new[] { 2_000, 20_000, 200_000 }));

@@ -40,7 +40,8 @@ namespace FastPoints.Tests.Sampling
             }
         }
 
-        static PreviewSample Take(PointReader reader, int wanted, int slots = 0, uint seed = 1, List<SampleWave> waves = null)
+        static PreviewSample Take(PointReader reader, int wanted, int slots = 0, uint seed = 1,
+            List<PreviewSample.Wave> waves = null)
         {
             using var sampler = new WaveSampler(reader, wanted, seed);
             JobCoroutine.RunToEnd(sampler.Run(slots, new StageProgress()));
@@ -67,7 +68,7 @@ namespace FastPoints.Tests.Sampling
         public void Waves_OfAFile_ArePrefixesOfTheSampleSpreadOverTheFile()
         {
             using var reader = Numbered(400_000);
-            var waves = new List<SampleWave>();
+            var waves = new List<PreviewSample.Wave>();
             using var sample = Take(reader, 50_000, 3, 1, waves);
             var indices = Indices(sample);
             Assert.That(indices.Length, Is.EqualTo(50_000));
@@ -208,7 +209,7 @@ namespace FastPoints.Tests.Sampling
             }
             File.WriteAllBytes(FilePath, bytes.ToArray());
             using var reader = PointReaders.Open(FilePath);
-            var waves = new List<SampleWave>();
+            var waves = new List<PreviewSample.Wave>();
             using var sample = Take(reader, 5000, 2, 1, waves);
             Assert.That(sample.NonFiniteCount, Is.EqualTo(bad));
             Assert.That(sample.Count, Is.EqualTo(5000 - bad));
@@ -252,7 +253,7 @@ namespace FastPoints.Tests.Sampling
         public void Prefixes_OfManyBlocks_ComeFromAllOfTheSourceInEachWave()
         {
             using var reader = Blocks(400_000, 1000);
-            var waves = new List<SampleWave>();
+            var waves = new List<PreviewSample.Wave>();
             using var sample = Take(reader, 100_000, 3, 1, waves);
             var indices = Indices(sample);
             Assert.That(new HashSet<int>(indices), Has.Count.EqualTo(100_000));

@@ -13,7 +13,7 @@ namespace FastPoints.Sources
     /// <summary>A file or folder with an octree (COPC, Potree, EPT), streamed without conversion. Its hierarchy is read as deep
     /// as it is viewed; its nodes are decoded and packed on demand. It also streams a preview's sample
     /// (<see cref="SampleReader"/>).</summary>
-    internal sealed class TreeSource : NodeSource
+    public sealed class TreeSource : NodeSource
     {
         const int MaxTranscoders = 16; // Begun and not yet taken: a transcoder is free again in the frame after its last job.
         const int MinBusyTranscoders = 2; // Large ones: one is read while another is decoded.

@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using FastPoints.Store;
 using Unity.Collections;
@@ -17,16 +16,13 @@ namespace FastPoints.Streaming
 
     // The nodes of a cloud's folder that its edits may reach, of the pages that were registered. In a page their ranges say no
     // more where a plane lies, but which of these nodes it is, and how long what is left of the plane can be. Main thread.
-    internal sealed class EditedNodes : IDisposable
+    internal sealed class EditedNodes
     {
-        const int MaxTranscoders = 8;
         const int NotEdited = -1;
 
         readonly CloudFolder m_folder;
         readonly List<EditedNode> m_nodes = new List<EditedNode>();
         readonly List<int[]> m_numbers = new List<int[]>(); // By page and node.
-        readonly List<EditedTranscoder> m_all = new List<EditedTranscoder>();
-        readonly Stack<EditedTranscoder> m_idle = new Stack<EditedTranscoder>();
 
         public EditedNodes(EditPlan plan, CloudFolder folder, NativeArray<int> streamed)
         {
@@ -124,29 +120,6 @@ namespace FastPoints.Streaming
                 if (of.IsSource && schema.Has(Layout.NameOfColumn(of, c)))
                     return true;
             return false;
-        }
-
-        public EditedTranscoder Create() => new EditedTranscoder(this);
-
-        // Null while enough are busy.
-        public EditedTranscoder Rent()
-        {
-            if (m_idle.Count > 0)
-                return m_idle.Pop();
-            if (m_all.Count == MaxTranscoders)
-                return null;
-            m_all.Add(Create());
-            return m_all[m_all.Count - 1];
-        }
-
-        public void Return(EditedTranscoder transcoder) => m_idle.Push(transcoder);
-
-        public void Dispose()
-        {
-            foreach (var transcoder in m_all)
-                transcoder.Dispose();
-            m_all.Clear();
-            m_idle.Clear();
         }
     }
 }
