@@ -4,6 +4,7 @@ namespace FastPoints.Cli.Cluster;
 sealed class CommitTask
 {
     const string HierarchyFolder = "hierarchy";
+    const int PartBytes = 1 << 20;
 
     readonly TaskRun m_task;
     readonly BuildPlan m_plan;
@@ -112,21 +113,30 @@ sealed class CommitTask
         string from = m_plan.PathOf(name), to = m_task.Scratch[name];
         if (!SourcePath.IsRemote(from) && !File.Exists(from))
             return;
-        using (var bytes = StoreFile.Read(from, 0, StoreFile.SizeOf(from), Allocator.Persistent))
-            OutputFile.Write(to, bytes.AsReadOnlySpan());
+        OutputFile.Write(to, PartsOf(from));
         m_store.Put(name, to);
+    }
+
+    static IEnumerable<byte[]> PartsOf(string path)
+    {
+        long size = StoreFile.SizeOf(path);
+        for (long at = 0; at < size; at += PartBytes)
+        {
+            using var bytes = StoreFile.Read(path, at, Math.Min(PartBytes, size - at), Allocator.Persistent);
+            yield return bytes.ToArray();
+        }
     }
 
     void PutSources(CloudManifest manifest)
     {
-        var sources = StoredSources.FromJson(StoreFile.ReadText(m_plan.PathOf(StoreFormat.SourcesName), 512 << 20), m_plan.Path);
-        // Of one file counted, of tiles claimed.
-        if (m_plan.Tiles == null && sources.Count == 1)
+        // Those of tiles stay as the plan has them: they are claimed, and may be a million.
+        if (m_plan.Tiles != null)
         {
-            var source = sources[0];
-            source.Points = manifest.Points + manifest.PointsLeftOut;
-            sources[0] = source;
+            PutFact(StoreFormat.SourcesName);
+            return;
         }
-        m_store.PutText(StoreFormat.SourcesName, StoredSources.ToJson(sources), m_task.Scratch.Folder);
+        var source = StoredSources.FromJson(StoreFile.ReadText(m_plan.PathOf(StoreFormat.SourcesName)), m_plan.Path)[0];
+        source.Points = manifest.Points + manifest.PointsLeftOut;
+        m_store.PutText(StoreFormat.SourcesName, StoredSources.ToJson([source]), m_task.Scratch.Folder);
     }
 }

@@ -293,8 +293,8 @@ sealed class PlanStep
 
     void WriteFacts(string parts)
     {
-        OutputFile.Write(Path.Combine(parts, StoreFormat.SourcesName), Encoding.UTF8.GetBytes(StoredSources.ToJson(
-            CloudDescription.SourcesOf(m_reader).ToList())));
+        OutputFile.Write(Path.Combine(parts, StoreFormat.SourcesName),
+            StoredSources.ToParts(CloudDescription.SourcesOf(m_reader)).Select(Encoding.UTF8.GetBytes));
         OutputFile.Write(Path.Combine(parts, StoreFormat.FactsName), Encoding.UTF8.GetBytes(StoredFacts.ToJson(m_reader.Info)));
         if (m_plan.LasMetadata != null)
             OutputFile.Write(Path.Combine(parts, StoreFormat.RecordsName), m_plan.LasMetadata);

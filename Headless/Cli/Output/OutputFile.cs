@@ -49,12 +49,16 @@ public sealed class OutputFile : IDisposable
         !OperatingSystem.IsWindows() && Path.GetFullPath(path) is var full && (full.StartsWith("/dev/", StringComparison.Ordinal)
             && !full.StartsWith("/dev/shm/", StringComparison.Ordinal) || full.StartsWith("/proc/", StringComparison.Ordinal));
 
-    public static void Write(string path, ReadOnlySpan<byte> bytes)
+    public static void Write(string path, byte[] bytes) => Write(path, [bytes]);
+
+    /// <param name="parts">One after the other: a file may be larger than memory.</param>
+    public static void Write(string path, IEnumerable<byte[]> parts)
     {
         using var file = new OutputFile(path);
         try
         {
-            file.Stream.Write(bytes);
+            foreach (byte[] part in parts)
+                file.Stream.Write(part);
         }
         catch (IOException e)
         {

@@ -398,18 +398,19 @@ namespace FastPoints.Store
     {
         public const int MaxSystems = 64; // Sources with more coordinate systems than this share the last one.
         const int MaxTextBytes = 512 << 20; // A million sources take about 100 MB.
+        const int SourcesOfPart = 1000;
 
-        public static string ToJson(List<SourceEntry> sources)
+        public static string ToJson(IEnumerable<SourceEntry> sources) => string.Concat(ToParts(sources));
+
+        // The text in parts: that of a million sources is held nowhere as a whole. Goes through the sources twice.
+        public static IEnumerable<string> ToParts(IEnumerable<SourceEntry> sources)
         {
             var json = new JsonWriter().BeginObject().Add("version", StoreFormat.Version);
             var systems = new List<CloudCrs>();
-            var ofSource = sources.ConvertAll(source =>
-            {
-                int index = systems.FindIndex(s => s == source.Crs || s != null && s.IsSameEntryAs(source.Crs));
-                if (index < 0 && systems.Count <= MaxSystems)
+            int Find(CloudCrs crs) => systems.FindIndex(s => s == crs || s != null && s.IsSameEntryAs(crs));
+            foreach (var source in sources)
+                if (systems.Count <= MaxSystems && Find(source.Crs) < 0)
                     systems.Add(source.Crs);
-                return index < 0 ? systems.Count - 1 : index;
-            });
             if (systems.Count > 1)
             {
                 json.BeginArray("systems");
@@ -418,17 +419,19 @@ namespace FastPoints.Store
                 json.EndArray();
             }
             json.BeginArray("sources");
-            for (int i = 0; i < sources.Count; i++)
+            int written = 0;
+            foreach (var source in sources)
             {
-                json.BeginObject().Add("name", sources[i].Name).Add("bytes", sources[i].FileBytes)
-                    .Add("points", sources[i].Points);
-                if (sources[i].HeadHash != 0)
-                    json.AddHex("head", sources[i].HeadHash);
+                json.BeginObject().Add("name", source.Name).Add("bytes", source.FileBytes).Add("points", source.Points);
+                if (source.HeadHash != 0)
+                    json.AddHex("head", source.HeadHash);
                 if (systems.Count > 1)
-                    json.Add("system", ofSource[i]);
+                    json.Add("system", Find(source.Crs) is var system && system >= 0 ? system : systems.Count - 1);
                 json.EndObject();
+                if (++written % SourcesOfPart == 0)
+                    yield return json.Take();
             }
-            return json.EndArray().EndObject().ToString();
+            yield return json.EndArray().EndObject().ToString();
         }
 
         /// <exception cref="PointCloudException">The file is damaged.</exception>

@@ -15,6 +15,7 @@ namespace FastPoints.Reading
         const int MaxListed = 20;
 
         const int MaxEqualWarnings = 3;
+        const int MaxWarnings = 1000;
 
         readonly List<Tile> m_tiles = new List<Tile>();
         readonly List<Tile> m_open = new List<Tile>();
@@ -27,6 +28,7 @@ namespace FastPoints.Reading
         int m_maxPointsPerBlock;
         bool m_hasFixedStride = true;
         bool m_isRemote;
+        bool m_hasMoreWarnings;
         long m_clock;
 
         TiledReader(string name, bool skipsUnreadable, Func<string, PointReader> openFile)
@@ -249,9 +251,16 @@ namespace FastPoints.Reading
             return false;
         }
 
-        // Its index, or -1 after MaxEqualWarnings of the same text.
+        // Its index, or -1 after MaxEqualWarnings of the same text, or MaxWarnings in all.
         int Report(CloudWarning warning)
         {
+            if (m_warningCounts.Count == MaxWarnings && !m_warningCounts.ContainsKey(warning.Text))
+            {
+                if (!m_hasMoreWarnings)
+                    Info.Warn(-1, "more files have other warnings");
+                m_hasMoreWarnings = true;
+                return -1;
+            }
             m_warningCounts.TryGetValue(warning.Text, out int reported);
             m_warningCounts[warning.Text] = reported + 1;
             if (reported > MaxEqualWarnings)

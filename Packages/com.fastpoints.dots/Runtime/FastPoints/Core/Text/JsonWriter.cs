@@ -9,6 +9,7 @@ namespace FastPoints
         readonly StringBuilder m_text = new StringBuilder();
         int m_depth;
         bool m_isFirst = true;
+        bool m_isBegun;
 
         public JsonWriter BeginObject(string name = null) => Open(name, '{');
 
@@ -37,6 +38,14 @@ namespace FastPoints
         public JsonWriter AddHex(string name, ulong value) => Add(name, value.ToString("x16", CultureInfo.InvariantCulture));
 
         public override string ToString() => m_text + "\n";
+
+        // What was written since the last call: of a text that is too long to be held.
+        public string Take()
+        {
+            string text = m_text.ToString();
+            m_text.Clear();
+            return text;
+        }
 
         static string Text(double value) => double.IsNaN(value) || double.IsInfinity(value) ? "null" : NumberText.Of(value);
 
@@ -83,9 +92,10 @@ namespace FastPoints
 
         void NextLine(string name)
         {
-            if (m_text.Length > 0)
+            if (m_isBegun)
                 m_text.Append(m_isFirst ? "\n" : ",\n").Append(' ', m_depth * 2);
             m_isFirst = false;
+            m_isBegun = true;
             if (name != null)
                 m_text.Append(Quoted(name)).Append(": ");
         }

@@ -328,6 +328,21 @@ namespace FastPoints.Tests.Reading
             Assert.That(summarise.Summary.Bounds.Max.x, Is.EqualTo(500002.5));
         }
 
+        [Test]
+        public void Open_FilesWithAWarningEach_WarnsOfAThousand()
+        {
+            var bytes = File.ReadAllBytes(WriteLas("0000.las", Positions(3, 1), new double3(0.01, 0.01, 0.01), default));
+            for (int i = 1; i <= 1003; i++)
+            {
+                BitConverter.GetBytes(3 + i).CopyTo(bytes, 107);
+                File.WriteAllBytes(PathOf(i.ToString("D4") + ".las"), bytes);
+            }
+            using var reader = PointReaders.Open(Folder.Path);
+            Assert.That(reader.Info.Warnings.Count, Is.EqualTo(1001));
+            Assert.That(reader.Info.Warnings[1000].Text, Is.EqualTo("more files have other warnings"));
+            Assert.That(reader.PointCount, Is.EqualTo(3 * 1004));
+        }
+
         [TestCase(200)]
         public void Convert_ManyFiles_OpensWithoutTheirNames(int files)
         {
