@@ -243,6 +243,7 @@ namespace FastPoints.Reading
         public int MaxPointsPerBlock;
         public long FirstPoint;
         public long Points;
+        public long[] Starts; // Of its blocks; null if all but the last are as long as the longest.
         public PointReader Reader;
         public CloudCrs Crs; // Tiles of one system share the object.
 
@@ -251,6 +252,9 @@ namespace FastPoints.Reading
         public int Users;
         public long LastUse;
         public List<int> Warnings;
+
+        // The first point of a block of it, or behind the last, from its own first.
+        public long StartOf(int block) => block == BlockCount ? Points : Starts?[block] ?? (long)block * MaxPointsPerBlock;
     }
 
     sealed class TileSummary

@@ -23,8 +23,8 @@ namespace FastPoints.Reading
         readonly Dictionary<string, int> m_warningCounts = new Dictionary<string, int>();
         readonly bool m_skipsUnreadable;
         readonly Func<string, PointReader> m_openFile;
-        long[] m_firstPointOfBlock;
-        List<long> m_pointsOfBlock;
+        bool m_blocksAreKnown;
+        int m_blockCount;
         int m_maxPointsPerBlock;
         bool m_hasFixedStride = true;
         bool m_isRemote;
@@ -74,8 +74,9 @@ namespace FastPoints.Reading
                 tile.Reader.ListPieces(new BlockRange(range.Block - tile.FirstBlock, range.First, range.Count), pieces);
         }
 
-        public override bool BlocksAreKnown => m_firstPointOfBlock != null;
-        public override int BlockCount => BlockStarts().Length - 1;
+        public override bool BlocksAreKnown => m_blocksAreKnown;
+        public override int BlockCount => m_blocksAreKnown ? m_blockCount
+            : throw new InvalidOperationException("IndexBlocks comes first");
         public override int MaxPointsPerBlock => m_maxPointsPerBlock;
         public override bool HasFixedStride => m_hasFixedStride;
 
@@ -90,9 +91,17 @@ namespace FastPoints.Reading
             }
         }
 
-        public override long FirstPointOfBlock(int block) => BlockStarts()[block];
+        public override long FirstPointOfBlock(int block)
+        {
+            var tile = TileOfBlock(block);
+            return tile.FirstPoint + tile.StartOf(block - tile.FirstBlock);
+        }
 
-        public override int PointsInBlock(int block) => (int)(BlockStarts()[block + 1] - m_firstPointOfBlock[block]);
+        public override int PointsInBlock(int block)
+        {
+            var tile = TileOfBlock(block);
+            return (int)(tile.StartOf(block - tile.FirstBlock + 1) - tile.StartOf(block - tile.FirstBlock));
+        }
 
         public List<string> Paths => m_tiles.ConvertAll(tile => tile.Path);
 
@@ -122,7 +131,7 @@ namespace FastPoints.Reading
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator)
         {
-            BlockStarts();
+            _ = BlockCount;
             return new TiledRead(this, wanted, capacity, allocator);
         }
 
@@ -130,18 +139,10 @@ namespace FastPoints.Reading
         {
             if (BlocksAreKnown)
                 yield break;
-            var known = m_pointsOfBlock;
-            m_pointsOfBlock = new List<long>();
             foreach (var tile in m_tiles)
             {
                 if (tile.IsKnown)
-                {
-                    var blocks = known.GetRange(tile.FirstBlock, tile.BlockCount);
-                    tile.FirstBlock = m_pointsOfBlock.Count;
-                    m_pointsOfBlock.AddRange(blocks);
                     continue;
-                }
-                tile.FirstBlock = m_pointsOfBlock.Count;
                 Acquire(tile);
                 try
                 {
@@ -315,14 +316,11 @@ namespace FastPoints.Reading
             tile.Reader = null;
         }
 
-        long[] BlockStarts() => m_firstPointOfBlock ?? throw new InvalidOperationException("IndexBlocks comes first");
-
         TiledReader OpenAll(IReadOnlyList<string> paths, SourceInfo info = null)
         {
             var summary = new TileSummary(Info);
             var otherFiles = new List<string>();
             bool isKnown = true;
-            m_pointsOfBlock = new List<long>();
             foreach (string path in paths)
             {
                 PointReader reader;
@@ -407,31 +405,35 @@ namespace FastPoints.Reading
             return shared;
         }
 
-        void AddBlocks(Tile tile)
+        static void AddBlocks(Tile tile)
         {
             var reader = tile.Reader;
-            tile.FirstBlock = m_pointsOfBlock.Count;
             tile.BlockCount = reader.BlockCount;
             tile.Points = reader.PointCount;
             tile.MaxPointsPerBlock = tile.BlockCount == 0 ? 0 : reader.MaxPointsPerBlock;
+            bool isEven = true;
+            for (int block = 1; block < tile.BlockCount; block++)
+                isEven &= reader.FirstPointOfBlock(block) == (long)block * tile.MaxPointsPerBlock;
+            if (isEven)
+                return;
+            tile.Starts = new long[tile.BlockCount];
             for (int block = 0; block < tile.BlockCount; block++)
-                m_pointsOfBlock.Add(reader.PointsInBlock(block));
+                tile.Starts[block] = reader.FirstPointOfBlock(block);
         }
 
+        // Tiles without points get the first block of the next tile, and come before it.
         void Finish()
         {
-            // Tiles without points get the first block of the next tile, and come before it.
-            var first = new long[m_pointsOfBlock.Count + 1];
-            for (int block = 0; block < m_pointsOfBlock.Count; block++)
-                first[block + 1] = first[block] + m_pointsOfBlock[block];
-            m_pointsOfBlock = null;
+            long points = 0;
             foreach (var tile in m_tiles)
             {
-                tile.FirstPoint = first[tile.FirstBlock];
+                (tile.FirstBlock, tile.FirstPoint) = (m_blockCount, points);
+                m_blockCount = checked(m_blockCount + tile.BlockCount);
+                points += tile.Points;
                 m_maxPointsPerBlock = Math.Max(m_maxPointsPerBlock, tile.MaxPointsPerBlock);
             }
-            m_firstPointOfBlock = first;
-            Info.PointsReadable = first[first.Length - 1];
+            m_blocksAreKnown = true;
+            Info.PointsReadable = points;
         }
     }
 }

@@ -9,6 +9,7 @@ using FastPoints.Evaluation;
 using FastPoints.Export;
 using FastPoints.Las;
 using FastPoints.Reading;
+using FastPoints.Sampling;
 using FastPoints.Sources;
 using FastPoints.Store;
 using NUnit.Framework;
@@ -326,6 +327,32 @@ namespace FastPoints.Tests.Reading
             Assert.That(summarise.Summary.Points, Is.EqualTo(2));
             Assert.That(summarise.Summary.Bounds.Min.x, Is.EqualTo(500000));
             Assert.That(summarise.Summary.Bounds.Max.x, Is.EqualTo(500002.5));
+        }
+
+        [Test]
+        public void Sample_MoreTilesThanRanges_GivesEachTileItsPoints()
+        {
+            const int tileSteps = 100_000;
+            var paths = new List<string>();
+            for (int t = 0; t < 20; t++)
+            {
+                var positions = Positions(t == 7 ? 5000 : 100, (uint)t + 1);
+                for (int i = 0; i < positions.Length; i++)
+                    positions[i] = math.abs(positions[i]) % tileSteps + new int3(t * tileSteps, 0, 0);
+                paths.Add(WriteLas(t.ToString("D2") + ".las", positions, 0.01, 0));
+            }
+            using var reader = PointReaders.Open(paths);
+            SourceSample sample = null;
+            Coroutine(SourceSample.Read(reader, () => 0, 0, 1 << 20, (_, loaded) => loaded, s => sample = s));
+            using (sample)
+            {
+                var points = new double[20];
+                foreach (var range in sample.Ranges)
+                    for (int i = 0; i < range.Count; i++)
+                        points[(int)(sample.Stored[range.First + i].x / tileSteps)] += range.Weight;
+                for (int t = 0; t < 20; t++)
+                    Assert.That(points[t], Is.EqualTo(t == 7 ? 5000 : 100).Within(1e-6), "tile " + t);
+            }
         }
 
         [Test]
