@@ -289,7 +289,9 @@ namespace FastPoints.Sampling
 
         static void AddPositions(BoundsGeo bounds, PositionTransform transform, int count, NativeList<double3> stored)
         {
-            for (int i = 0; i < count; i++)
+            // The sequence goes on from tile to tile: where each has one position, these are not all at the same height.
+            int before = stored.Length;
+            for (int i = before; i < before + count; i++)
             {
                 var at = (i + 0.5) * s_steps;
                 var geo = bounds.Min + bounds.Size * (at - math.floor(at));
