@@ -48,8 +48,11 @@ namespace FastPoints.Surface
         [Tooltip("Time of the main thread in each frame while cells are made, in ms, beside what PhysX takes.")]
         public float FrameMs = 0.5f;
 
+        [Tooltip("Of the surfaces of cells that are kept on disk, beside the cloud, so that they are made once; 0 for none.")]
+        public int CacheMegabytes = 256;
+
         PointCloud m_cloud;
-        PoolTask<(CloudFolder Folder, EditPlan Edits)> m_opening;
+        PoolTask<OpenedSurface> m_opening;
         PointCloudAsset m_openedCloud;
         string m_openedPath;
         double m_retryAt;
@@ -133,38 +136,22 @@ namespace FastPoints.Surface
             if (m_opening == null && now >= m_retryAt && m_cloud.HasCloud)
             {
                 string path = m_cloud.FullPath;
+                long bytes = (long)CacheMegabytes << 20;
+                bool isBeside = !path.StartsWith(Application.streamingAssetsPath, StringComparison.Ordinal);
                 (m_openedCloud, m_openedPath) = (m_cloud.Cloud, m_cloud.Path);
-                m_opening = PoolTask.Begin(path, () => Open(path), unwanted => unwanted.Folder.Dispose());
+                m_opening = PoolTask.Begin(path, () => OpenedSurface.Open(path, isBeside, bytes),
+                    unwanted => unwanted.Dispose());
             }
             if (m_opening == null || !m_opening.IsDone)
                 return false;
             var opening = m_opening;
             m_opening = null;
-            var opened = opening.Take();
-            Surface = new SurfaceColliders(opened.Folder, opened.Edits, Grid, ClassMask.Of(HiddenClasses), m_cloud);
+            Surface = new SurfaceColliders(opening.Take(), Grid, ClassMask.Of(HiddenClasses), m_cloud);
             return true;
         }
 
         SurfaceGrid Grid => new SurfaceGrid(math.max(0.001, VoxelSize), CellVoxels,
             (float)math.clamp(HoleSize / math.max(0.001, VoxelSize), 0, SurfaceGrid.MaxHoleVoxels));
-
-        static (CloudFolder Folder, EditPlan Edits) Open(string path)
-        {
-            var folder = CloudFolder.IsCloud(path) ? CloudFolder.Open(path) : null;
-            try
-            {
-                if (folder != null && !folder.IsUnfinished)
-                    return (folder, EditPlan.Of(path, folder.Manifest));
-            }
-            catch
-            {
-                folder.Dispose();
-                throw;
-            }
-            folder?.Dispose();
-            throw new PointCloudException(FailureCode.Unsupported, path, -1, "colliders are made of whole converted clouds: " +
-                (folder == null ? "wanted a folder with " + StoreFormat.ManifestName : "this one is still being converted"));
-        }
     }
 }
 #endif

@@ -28,6 +28,7 @@ namespace FastPoints.Surface
         readonly SurfaceGrid m_grid;
         readonly ClassMask m_hidden;
         readonly PointCloud m_cloud;
+        readonly SurfaceCache m_cache;
         readonly Transform m_parent;
         readonly BoundsGeo m_boundsGeo;
         readonly CloudUnits m_units;
@@ -44,11 +45,12 @@ namespace FastPoints.Surface
         double m_radius;
         bool m_isStale = true;
         JobCoroutine m_making;
+        PoolTask<bool> m_writing;
 
-        /// <param name="folder">Is owned from now on.</param>
-        /// <param name="edits">Null for the cloud as it is stored.</param>
-        public SurfaceColliders(CloudFolder folder, EditPlan edits, in SurfaceGrid grid, ClassMask hidden, PointCloud cloud)
+        /// <param name="opened">Is owned from now on.</param>
+        public SurfaceColliders(in OpenedSurface opened, in SurfaceGrid grid, ClassMask hidden, PointCloud cloud)
         {
+            var folder = opened.Folder;
             (m_folder, m_grid, m_hidden, m_cloud, m_parent) = (folder, grid, hidden, cloud, cloud.transform);
             (m_boundsGeo, m_units) = (folder.Manifest.BoundsGeo, folder.Manifest.Crs.Units);
             var space = m_space = cloud.SpaceOf(m_boundsGeo, m_units);
@@ -56,13 +58,16 @@ namespace FastPoints.Surface
             m_rootGeo = folder.Manifest.Grid.ToGeo(folder.Manifest.Root.Corner);
             space.Up.Directions(out var east, out var north, out var up);
             m_fromCloud = math.transpose(new double3x3(east, up, north));
-            m_points = new SurfacePointReader(folder, grid, hidden, m_scale) { PointsPerBatch = PointsPerBatch, Edits = edits };
+            m_points = new SurfacePointReader(folder, grid, hidden, m_scale) { PointsPerBatch = PointsPerBatch, Edits = opened.Edits };
             m_builder = new SurfaceBuilder(grid, (float3)up);
+            m_cache = opened.Cache;
+            m_cache?.Begin(grid, hidden, m_scale, space.Up);
             Cells = new SurfaceCells(grid, collider => Return(collider, null));
         }
 
         public SurfaceCells Cells { get; }
         public bool IsMaking => m_making != null && !m_making.IsDone;
+        public bool IsWriting => m_writing != null && !m_writing.IsDone;
 
         /// <summary>Plans anew where something has moved, and moves colliders where the cloud's origin has.</summary>
         /// <returns>False if it was made in another way than is wanted.</returns>
@@ -116,34 +121,69 @@ namespace FastPoints.Surface
                     Object.Destroy(owned);
             m_builder.Dispose();
             m_points.Dispose();
+            m_cache?.Dispose();
             m_folder.Dispose();
         }
 
         IEnumerator<JobStep> Make(SurfaceCell cell)
         {
-            yield return JobStep.Of(m_builder.Run(cell.At, m_points.Add));
-            NativeArray<int3> vertices = m_builder.Vertices, triangles = m_builder.Triangles;
-            if (triangles.Length == 0)
+            var surface = default(PackedSurface);
+            try
             {
-                Cells.SetMade(cell, 0, null);
-                yield break;
+                if (m_cache != null)
+                    yield return JobStep.Of(PoolTask.Run(m_cache.Folder, () => m_cache.Read(cell.At), read => surface = read,
+                        unwanted => unwanted.Dispose()));
+                bool isStored = surface.Ints.IsCreated;
+                if (!isStored)
+                {
+                    yield return JobStep.Of(m_builder.Run(cell.At, m_points.Add));
+                    surface = new PackedSurface(m_builder.Vertices.Length, m_builder.Triangles.Length);
+                    yield return JobStep.Of(Slices.Run(0, 1, 1, (first, end, after) => new OrientSurfaceJob
+                    {
+                        FromSteps = m_fromCloud * (m_grid.VoxelMetres / SurfaceGrid.StepsPerVoxel),
+                        Vertices = m_builder.Vertices,
+                        Triangles = m_builder.Triangles,
+                        Oriented = surface,
+                    }.Schedule(after)));
+                }
+                if (surface.TriangleCount > 0)
+                    yield return JobStep.Of(Show(cell, surface));
+                else
+                    Cells.SetMade(cell, 0, null);
+                while (!isStored && m_cache != null && IsWriting)
+                    yield return default;
+                if (!isStored && m_cache != null)
+                    BeginWriting(cell.At, ref surface);
             }
-            var (collider, mesh) = Rent();
-            using var oriented = new NativeArray<float3>(vertices.Length, Allocator.Persistent);
-            var job = new OrientSurfaceJob
+            finally
             {
-                FromSteps = m_fromCloud * (m_grid.VoxelMetres / SurfaceGrid.StepsPerVoxel),
-                Vertices = vertices,
-                Triangles = triangles,
-                Oriented = oriented,
-            }.Schedule();
+                surface.Dispose();
+            }
+        }
+
+        // It is its from then on.
+        void BeginWriting(int3 cell, ref PackedSurface surface)
+        {
+            var (cache, written) = (m_cache, surface);
+            surface = default;
+            m_writing = PoolTask.Begin(cache.Folder, () =>
+            {
+                using (written)
+                    cache.Write(cell, written);
+                return true;
+            });
+        }
+
+        IEnumerator<JobStep> Show(SurfaceCell cell, PackedSurface surface)
+        {
+            var (collider, mesh) = Rent();
+            var job = default(JobHandle);
             bool isShown = false;
             try
             {
-                yield return job;
                 mesh.indexFormat = IndexFormat.UInt32;
-                mesh.SetVertices(oriented);
-                mesh.SetIndices(triangles.Reinterpret<int>(3 * sizeof(int)), MeshTopology.Triangles, 0);
+                mesh.SetVertices(surface.Vertices);
+                mesh.SetIndices(surface.Triangles.Reinterpret<int>(3 * sizeof(int)), MeshTopology.Triangles, 0);
 #if UNITY_6000_3_OR_NEWER
                 job = new BakeMeshJob { Mesh = mesh.GetEntityId() }.Schedule();
 #else
@@ -154,7 +194,7 @@ namespace FastPoints.Surface
                 collider.sharedMesh = mesh;
                 collider.gameObject.layer = m_parent.gameObject.layer;
                 collider.gameObject.SetActive(isShown = true);
-                Cells.SetMade(cell, triangles.Length, collider);
+                Cells.SetMade(cell, surface.TriangleCount, collider);
             }
             finally
             {
@@ -205,15 +245,17 @@ namespace FastPoints.Surface
     {
         public double3x3 FromSteps;
         [ReadOnly] public NativeArray<int3> Vertices;
-        public NativeArray<int3> Triangles;
-        public NativeArray<float3> Oriented;
+        [ReadOnly] public NativeArray<int3> Triangles;
+        public PackedSurface Oriented;
 
         public void Execute()
         {
+            var vertices = Oriented.Vertices;
             for (int i = 0; i < Vertices.Length; i++)
-                Oriented[i] = (float3)math.mul(FromSteps, (double3)Vertices[i]);
+                vertices[i] = (float3)math.mul(FromSteps, (double3)Vertices[i]);
+            var triangles = Oriented.Triangles;
             for (int i = 0; i < Triangles.Length; i++)
-                Triangles[i] = new int3(Triangles[i].x, Triangles[i].z, Triangles[i].y);
+                triangles[i] = new int3(Triangles[i].x, Triangles[i].z, Triangles[i].y);
         }
     }
 
