@@ -17,11 +17,12 @@ public sealed class SurfaceCacheTests : ScratchTests
     [SetUp]
     public void MakeCloud() => m_cloud = Scratch[TestContext.CurrentContext.Test.ID + ".fastpoints"];
 
-    SurfaceCache Open(ulong cloudId = CloudId, EditPlan edits = null, SurfaceGrid? grid = null, int hidden = -1,
-        double3? scale = null, UpAxis up = UpAxis.Z, long maxBytes = 16 << 20)
+    SurfaceCache Open(long maxBytes = 16 << 20, ulong cloudId = CloudId, EditPlan edits = null) =>
+        Begin(new SurfaceCache(m_cloud, cloudId, edits, true, maxBytes), new SurfaceGrid(0.1, 80, 3));
+
+    static SurfaceCache Begin(SurfaceCache cache, SurfaceGrid grid, int hidden = -1, double z = 1, UpAxis up = UpAxis.Z)
     {
-        var cache = new SurfaceCache(m_cloud, cloudId, edits, true, maxBytes);
-        cache.Begin(grid ?? new SurfaceGrid(0.1, 80, 3), ClassMask.Of(hidden), scale ?? 1, up);
+        cache.Begin(grid, ClassMask.Of(hidden), new double3(1, 1, z), up);
         return cache;
     }
 
@@ -29,8 +30,7 @@ public sealed class SurfaceCacheTests : ScratchTests
     {
         var random = new Random(seed);
         var surface = new PackedSurface(vertices, triangles);
-        NativeArray<float3> places = surface.Vertices;
-        NativeArray<int3> corners = surface.Triangles;
+        var (places, corners) = (surface.Vertices, surface.Triangles);
         for (int i = 0; i < vertices; i++)
             places[i] = (float3)random.NextDouble3(-1, 9);
         for (int i = 0; i < triangles; i++)
@@ -95,29 +95,31 @@ public sealed class SurfaceCacheTests : ScratchTests
         {
             System.IO.File.WriteAllBytes(File, whole.AsSpan(0, length).ToArray());
             var cache = Open();
-            Assert.That((Finds(cache, 0), Finds(cache, 1, 2)), Is.EqualTo((length >= whole.Length / 2, false)), length + " bytes");
+            Assert.That((Finds(cache, 0), Finds(cache, 1, 2)), Is.EqualTo((length >= whole.Length / 2, false)),
+                length + " bytes");
         }
         Write(new int3(1), 2);
-        Assert.That((Finds(Open(), 0), Finds(Open(), 1, 2)), Is.EqualTo((true, true)));
+        Assert.That((Finds(Open(), 0), Finds(Open(), 1, 2)),
+            Is.EqualTo((true, true)));
     }
 
     [Test]
     public void Read_OtherCloudEditsOrSettings_FindsNothing()
     {
         Write(s_cell);
-        var hole = new SurfaceGrid(0.1, 80, 2);
         var edits = new EditPlan([new EditOperation { Action = EditAction.Delete }], new CloudManifest
         { Attributes = new PointSchema([]) });
+        var grid = new SurfaceGrid(0.1, 80, 3);
         Assert.That(Finds(Open(), s_cell), Is.True);
-        Assert.That(Finds(Open(CloudId + 1), s_cell), Is.False, "another cloud");
+        Assert.That(Finds(Open(cloudId: CloudId + 1), s_cell), Is.False, "another cloud");
         Assert.That(Finds(Open(edits: edits), s_cell), Is.False, "edits");
-        Assert.That(Finds(Open(grid: new SurfaceGrid(0.1000001, 80, 3)), s_cell), Is.False, "voxel size");
-        Assert.That(Finds(Open(grid: new SurfaceGrid(0.1, 81, 3)), s_cell), Is.False, "cell size");
-        Assert.That(Finds(Open(grid: hole), s_cell), Is.False, "hole size");
-        Assert.That(Finds(Open(hidden: 6), s_cell), Is.False, "classes");
-        Assert.That(Finds(Open(hidden: 200), s_cell), Is.False, "high classes");
-        Assert.That(Finds(Open(scale: new double3(1, 1, 1.5)), s_cell), Is.False, "metres");
-        Assert.That(Finds(Open(up: UpAxis.Y), s_cell), Is.False, "up");
+        Assert.That(Finds(Begin(Open(), new SurfaceGrid(0.1000001, 80, 3)), s_cell), Is.False, "voxel size");
+        Assert.That(Finds(Begin(Open(), new SurfaceGrid(0.1, 81, 3)), s_cell), Is.False, "cell size");
+        Assert.That(Finds(Begin(Open(), new SurfaceGrid(0.1, 80, 2)), s_cell), Is.False, "hole size");
+        Assert.That(Finds(Begin(Open(), grid, 6), s_cell), Is.False, "classes");
+        Assert.That(Finds(Begin(Open(), grid, 200), s_cell), Is.False, "high classes");
+        Assert.That(Finds(Begin(Open(), grid, z: 1.5), s_cell), Is.False, "metres");
+        Assert.That(Finds(Begin(Open(), grid, up: UpAxis.Y), s_cell), Is.False, "up");
     }
 
     [Test]
@@ -127,14 +129,14 @@ public sealed class SurfaceCacheTests : ScratchTests
         using var surface = Surface(200, 100);
         for (int run = 0; run < 40; run++)
         {
-            var cache = Open(maxBytes: max);
+            var cache = Open(max);
             for (int n = 0; n < 5; n++)
                 cache.Write(new int3(run, n, 0), surface);
             Assert.That(cache.Bytes, Is.LessThanOrEqualTo(max));
             using var read = cache.Read(new int3(run, 4, 0));
             Assert.That(read.Ints.IsCreated, Is.True);
         }
-        using var oldest = Open(maxBytes: max).Read(0);
+        using var oldest = Open(max).Read(0);
         Assert.That(oldest.Ints.IsCreated, Is.False);
         Assert.That(Directory.GetFiles(Folder), Has.Length.LessThanOrEqualTo(17));
         Assert.That(Directory.GetFiles(Folder).Sum(f => new FileInfo(f).Length), Is.LessThanOrEqualTo(max));

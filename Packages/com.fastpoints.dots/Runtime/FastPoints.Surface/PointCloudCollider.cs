@@ -18,8 +18,6 @@ namespace FastPoints.Surface
     [Icon("Packages/com.fastpoints.dots/Editor/Icons/PointCloud.png")]
     public sealed class PointCloudCollider : MonoBehaviour
     {
-        const int CellVoxels = 80;
-
         [Tooltip("What moves: players, vehicles, agents. There are colliders around each of them, and nowhere else.")]
         public List<Transform> Followed = new List<Transform>();
 
@@ -51,6 +49,7 @@ namespace FastPoints.Surface
         [Tooltip("Of the surfaces of cells that are kept on disk, beside the cloud, so that they are made once; 0 for none.")]
         public int CacheMegabytes = 256;
 
+        readonly List<double3> m_near = new List<double3>();
         PointCloud m_cloud;
         PoolTask<OpenedSurface> m_opening;
         PointCloudAsset m_openedCloud;
@@ -70,7 +69,7 @@ namespace FastPoints.Surface
         /// <summary>Whether the cells around a position of the world are made, with ground in them or without: hold players until
         /// then, after a start or a jump. Never where nothing that is followed is near.</summary>
         /// <param name="reach">How far around, in world units.</param>
-        public bool IsReady(Vector3 position, float reach = 2) => Surface != null && Surface.IsReady(position, reach);
+        public bool IsReady(Vector3 position, float reach = 2) => Surface != null && Surface.IsReady(Of(position), reach);
 
         /// <summary>Makes all anew, for example after the cloud was converted again.</summary>
         public void Reopen()
@@ -86,13 +85,13 @@ namespace FastPoints.Surface
         public void AddNavMeshSources(List<UnityEngine.AI.NavMeshBuildSource> sources)
         {
             for (int i = 0; i < CellCount; i++)
-                if (Surface.Cells.Made[i].Collider != null)
+                if (Surface.Cells.Made[i].Shown is MeshCollider collider && collider != null)
                     sources.Add(new UnityEngine.AI.NavMeshBuildSource
                     {
                         shape = UnityEngine.AI.NavMeshBuildSourceShape.Mesh,
-                        sourceObject = Surface.Cells.Made[i].Collider.sharedMesh,
-                        transform = Surface.Cells.Made[i].Collider.transform.localToWorldMatrix,
-                        component = Surface.Cells.Made[i].Collider,
+                        sourceObject = collider.sharedMesh,
+                        transform = collider.transform.localToWorldMatrix,
+                        component = collider,
                     });
         }
 #endif
@@ -124,34 +123,40 @@ namespace FastPoints.Surface
 
         bool Follow(double now)
         {
+            var space = m_cloud.SpaceOf(Surface.Manifest);
+            if (!Surface.IsMadeBy(Grid, ClassMask.Of(HiddenClasses), space))
+            {
+                Reopen();
+                return false;
+            }
             (Surface.Cells.MaxCells, Surface.Cells.MaxTriangles) = (MaxCells, MaxTriangles);
-            if (Surface.Follow(Followed, Radius, Grid, ClassMask.Of(HiddenClasses)))
-                return Surface.Update(now, FrameMs);
-            Reopen();
-            return false;
+            m_near.Clear();
+            foreach (var followed in Followed)
+                if (followed != null)
+                    m_near.Add(Of(followed.position));
+            Surface.Follow(space, new double4x4(TransformMatrix.Of(transform).Value), m_near, Radius);
+            return Surface.Update(now, FrameMs);
         }
 
         bool TryOpen(double now)
         {
             if (m_opening == null && now >= m_retryAt && m_cloud.HasCloud)
             {
-                string path = m_cloud.FullPath;
-                long bytes = (long)CacheMegabytes << 20;
-                bool isBeside = !path.StartsWith(Application.streamingAssetsPath, StringComparison.Ordinal);
                 (m_openedCloud, m_openedPath) = (m_cloud.Cloud, m_cloud.Path);
-                m_opening = PoolTask.Begin(path, () => OpenedSurface.Open(path, isBeside, bytes),
-                    unwanted => unwanted.Dispose());
+                m_opening = OpenedSurface.Begin(m_cloud.FullPath, CacheMegabytes);
             }
             if (m_opening == null || !m_opening.IsDone)
                 return false;
             var opening = m_opening;
             m_opening = null;
-            Surface = new SurfaceColliders(opening.Take(), Grid, ClassMask.Of(HiddenClasses), m_cloud);
+            var taken = opening.Take();
+            var space = m_cloud.SpaceOf(taken.Folder.Manifest);
+            Surface = new MeshColliders(taken, Grid, ClassMask.Of(HiddenClasses), space, transform);
             return true;
         }
 
-        SurfaceGrid Grid => new SurfaceGrid(math.max(0.001, VoxelSize), CellVoxels,
-            (float)math.clamp(HoleSize / math.max(0.001, VoxelSize), 0, SurfaceGrid.MaxHoleVoxels));
+        SurfaceGrid Grid => SurfaceColliders.GridOf(VoxelSize, HoleSize);
+        static double3 Of(Vector3 v) => new double3(v.x, v.y, v.z);
     }
 }
 #endif

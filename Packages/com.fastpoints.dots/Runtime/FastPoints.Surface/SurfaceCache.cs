@@ -23,11 +23,12 @@ namespace FastPoints.Surface
         readonly ulong[] m_key = new ulong[KeyLength];
 
         /// <param name="edits">Null for the cloud as it is stored.</param>
+        /// <param name="mayWrite">Next to the cloud.</param>
         /// <param name="maxBytes">Of all cells together; those used longest ago go first.</param>
-        public SurfaceCache(string cloud, ulong cloudId, EditPlan edits, bool isBeside, long maxBytes)
+        public SurfaceCache(string cloud, ulong cloudId, EditPlan edits, bool mayWrite, long maxBytes)
         {
             (m_key[0], m_key[1], m_key[2]) = (Version, cloudId, edits == null ? 0 : edits.Hash);
-            string folder = isBeside ? Path.ChangeExtension(EditJournal.PathOf(cloud), Extension) : null;
+            string folder = mayWrite ? Path.ChangeExtension(EditJournal.PathOf(cloud), Extension) : null;
             if (folder == null || !TryCreate(folder))
                 folder = RangeCache.FolderOfUser("surfaces");
             m_files = new RangeCache(folder, maxBytes, MaxFiles);
@@ -104,9 +105,15 @@ namespace FastPoints.Surface
         public EditPlan Edits; // Null for the cloud as it is stored.
         public SurfaceCache Cache; // Null for none.
 
-        /// <summary>Not for a main thread.</summary>
-        /// <param name="isBeside">Whether the cache may be beside the cloud.</param>
-        public static OpenedSurface Open(string path, bool isBeside, long cacheBytes)
+        /// <summary>On a pool thread. Streaming assets are as they were built.</summary>
+        public static PoolTask<OpenedSurface> Begin(string path, int cacheMegabytes)
+        {
+            bool mayWrite = !SourcePath.IsRemote(path) &&
+                !path.StartsWith(UnityEngine.Application.streamingAssetsPath, StringComparison.Ordinal);
+            return PoolTask.Begin(path, () => Open(path, mayWrite, (long)cacheMegabytes << 20), unwanted => unwanted.Dispose());
+        }
+
+        static OpenedSurface Open(string path, bool mayWrite, long cacheBytes)
         {
             var opened = new OpenedSurface { Folder = CloudFolder.IsCloud(path) ? CloudFolder.Open(path) : null };
             try
@@ -118,8 +125,7 @@ namespace FastPoints.Surface
                 var manifest = opened.Folder.Manifest;
                 opened.Edits = EditPlan.Of(path, manifest);
                 if (cacheBytes > 0)
-                    opened.Cache = new SurfaceCache(path, manifest.CloudId, opened.Edits,
-                        isBeside && !SourcePath.IsRemote(path), cacheBytes);
+                    opened.Cache = new SurfaceCache(path, manifest.CloudId, opened.Edits, mayWrite, cacheBytes);
                 return opened;
             }
             catch
