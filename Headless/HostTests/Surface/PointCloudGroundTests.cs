@@ -60,7 +60,8 @@ public sealed class PointCloudGroundTests : ScratchTests
 
     Entity[] Bodies()
     {
-        using var query = m_entities.CreateEntityQuery(typeof(PhysicsCollider), typeof(PhysicsWorldIndex), typeof(LocalToWorld));
+        using var query = m_entities.CreateEntityQuery(typeof(PhysicsCollider), typeof(PhysicsWorldIndex),
+            typeof(LocalToWorld));
         using var bodies = query.ToEntityArray(Allocator.Temp);
         return bodies.ToArray();
     }
@@ -70,14 +71,11 @@ public sealed class PointCloudGroundTests : ScratchTests
         var all = new List<(float3 A, float3 B, float3 C)>();
         foreach (var body in Bodies())
         {
-            var blob = m_entities.GetComponentData<PhysicsCollider>(body).Value;
+            var collider = (Collider*)m_entities.GetComponentData<PhysicsCollider>(body).Value.GetUnsafePtr();
             var at = m_entities.GetComponentData<LocalToWorld>(body).Value.c3.xyz;
-            for (int i = 0; i < blob.Value.Triangles; i++)
-            {
-                var t = Collider.TrianglesOf(blob)[i];
-                var vertices = Collider.VerticesOf(blob);
+            var vertices = (float3*)(collider + 1);
+            foreach (int3 t in new ReadOnlySpan<int3>(vertices + collider->Vertices, collider->Triangles))
                 all.Add((at + vertices[t.x], at + vertices[t.y], at + vertices[t.z]));
-            }
         }
         return all;
     }

@@ -10,9 +10,6 @@ public unsafe struct Collider
 {
     internal int Vertices;
     internal int Triangles;
-
-    internal static float3* VerticesOf(BlobAssetReference<Collider> of) => (float3*)((Collider*)of.GetUnsafePtr() + 1);
-    internal static int3* TrianglesOf(BlobAssetReference<Collider> of) => (int3*)(VerticesOf(of) + of.Value.Vertices);
 }
 
 public unsafe struct MeshCollider

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using FastPoints.Drawing;
 using FastPoints.Streaming;
 using Unity.Jobs;
-using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -55,7 +54,7 @@ namespace FastPoints.Surface
                 collider.sharedMesh = mesh;
                 collider.gameObject.layer = m_parent.gameObject.layer;
                 collider.gameObject.SetActive(isShown = true);
-                Cells.SetMade(cell, surface.TriangleCount, collider);
+                cell.Shown = collider;
             }
             finally
             {
@@ -91,8 +90,8 @@ namespace FastPoints.Surface
 
         Vector3 PositionOf(SurfaceCell cell)
         {
-            var position = (float3)LocalOf(cell.At);
-            return new Vector3(position.x, position.y, position.z);
+            var at = LocalOf(cell.At);
+            return new Vector3((float)at.x, (float)at.y, (float)at.z);
         }
     }
 

@@ -1,9 +1,7 @@
 #if FASTPOINTS_PHYSICS
-using System;
 using System.Collections.Generic;
 using FastPoints.Drawing;
 using FastPoints.Entities;
-using FastPoints.Store;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -50,17 +48,15 @@ namespace FastPoints.Surface
         public int CacheMegabytes = 256;
 
         readonly List<double3> m_near = new List<double3>();
+        SurfaceUpdates m_updates;
         PointCloud m_cloud;
-        PoolTask<OpenedSurface> m_opening;
         PointCloudAsset m_openedCloud;
         string m_openedPath;
-        double m_retryAt;
-        int m_edits = EditJournal.Writes;
 
-        internal SurfaceColliders Surface { get; private set; }
+        internal SurfaceColliders Surface => m_updates?.Surface;
 
         /// <summary>What went wrong last, in one line; null if all is well. It is tried again every five seconds.</summary>
-        public string Error { get; private set; }
+        public string Error => m_updates?.Error;
 
         /// <summary>Cells that are kept, empty ones too.</summary>
         public int CellCount => Surface == null ? 0 : Surface.Cells.Made.Count;
@@ -72,12 +68,7 @@ namespace FastPoints.Surface
         public bool IsReady(Vector3 position, float reach = 2) => Surface != null && Surface.IsReady(Of(position), reach);
 
         /// <summary>Makes all anew, for example after the cloud was converted again.</summary>
-        public void Reopen()
-        {
-            m_opening?.Dispose();
-            Surface?.Dispose();
-            (m_opening, Surface, m_retryAt) = (null, null, 0);
-        }
+        public void Reopen() => m_updates?.Reopen();
 
 #if FASTPOINTS_AI
         /// <summary>Adds the colliders of now as sources of a navigation mesh: build it anew when <see cref="CellCount"/>
@@ -96,62 +87,37 @@ namespace FastPoints.Surface
         }
 #endif
 
-        void OnEnable() => m_cloud = GetComponent<PointCloud>();
+        void OnEnable()
+        {
+            m_cloud = GetComponent<PointCloud>();
+            m_updates ??= new SurfaceUpdates(() => m_cloud.HasCloud ? m_cloud.FullPath : null, Make, Follow);
+        }
+
         void OnDisable() => Reopen();
 
         // What it follows has moved by then.
         internal void LateUpdate()
         {
-            double now = Time.realtimeSinceStartupAsDouble;
-            try
-            {
-                if (m_openedCloud != m_cloud.Cloud || m_openedPath != m_cloud.Path || m_edits != EditJournal.Writes)
-                    Reopen();
-                m_edits = EditJournal.Writes;
-                if (Surface == null ? TryOpen(now) : Follow(now))
-                    Error = null;
-            }
-            catch (Exception e)
-            {
-                m_retryAt = now + SurfaceColliders.RetrySeconds;
-                string message = PointCloudException.Of(m_cloud.FullPath, e).Message;
-                if (Error != message)
-                    Debug.LogError("FastPoints: " + name + " lacks colliders: " + message);
-                Error = message;
-            }
+            if (m_openedCloud != m_cloud.Cloud || m_openedPath != m_cloud.Path)
+                Reopen();
+            (m_openedCloud, m_openedPath) = (m_cloud.Cloud, m_cloud.Path);
+            m_updates.Update(name, CacheMegabytes, FrameMs);
         }
 
-        bool Follow(double now)
+        SurfaceColliders Make(OpenedSurface opened) => new MeshColliders(opened, Grid, ClassMask.Of(HiddenClasses),
+            m_cloud.SpaceOf(opened.Folder.Manifest), transform);
+
+        bool Follow(SurfaceColliders surface)
         {
-            var space = m_cloud.SpaceOf(Surface.Manifest);
-            if (!Surface.IsMadeBy(Grid, ClassMask.Of(HiddenClasses), space))
-            {
-                Reopen();
+            var space = m_cloud.SpaceOf(surface.Manifest);
+            if (!surface.IsMadeBy(Grid, ClassMask.Of(HiddenClasses), space))
                 return false;
-            }
-            (Surface.Cells.MaxCells, Surface.Cells.MaxTriangles) = (MaxCells, MaxTriangles);
+            (surface.Cells.MaxCells, surface.Cells.MaxTriangles) = (MaxCells, MaxTriangles);
             m_near.Clear();
             foreach (var followed in Followed)
                 if (followed != null)
                     m_near.Add(Of(followed.position));
-            Surface.Follow(space, new double4x4(TransformMatrix.Of(transform).Value), m_near, Radius);
-            return Surface.Update(now, FrameMs);
-        }
-
-        bool TryOpen(double now)
-        {
-            if (m_opening == null && now >= m_retryAt && m_cloud.HasCloud)
-            {
-                (m_openedCloud, m_openedPath) = (m_cloud.Cloud, m_cloud.Path);
-                m_opening = OpenedSurface.Begin(m_cloud.FullPath, CacheMegabytes);
-            }
-            if (m_opening == null || !m_opening.IsDone)
-                return false;
-            var opening = m_opening;
-            m_opening = null;
-            var taken = opening.Take();
-            var space = m_cloud.SpaceOf(taken.Folder.Manifest);
-            Surface = new MeshColliders(taken, Grid, ClassMask.Of(HiddenClasses), space, transform);
+            surface.Follow(space, new double4x4(TransformMatrix.Of(transform).Value), m_near, Radius);
             return true;
         }
 

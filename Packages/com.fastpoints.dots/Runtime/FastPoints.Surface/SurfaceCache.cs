@@ -53,12 +53,11 @@ namespace FastPoints.Surface
         public PackedSurface Read(int3 cell)
         {
             var key = KeyOf(cell);
-            var ints = new NativeArray<int>(m_files.LengthOf(key) / sizeof(int), Allocator.Persistent,
-                NativeArrayOptions.UninitializedMemory);
-            if (m_files.TryRead(key, 0, MemoryMarshal.AsBytes(ints.AsSpan())) && PackedSurface.TryOpen(ints, out var surface))
-                return surface;
-            ints.Dispose();
-            return default;
+            var surface = new PackedSurface { Ints = new NativeArray<int>(m_files.LengthOf(key) / sizeof(int),
+                Allocator.Persistent, NativeArrayOptions.UninitializedMemory) };
+            if (!m_files.TryRead(key, 0, MemoryMarshal.AsBytes(surface.Ints.AsSpan())) || !surface.IsWhole)
+                surface.Dispose();
+            return surface;
         }
 
         public void Write(int3 cell, in PackedSurface surface) =>
@@ -149,30 +148,22 @@ namespace FastPoints.Surface
         const int HeadInts = 2;
 
         public NativeArray<int> Ints;
-        public int VertexCount;
-        public int TriangleCount;
 
         /// <summary>To be filled.</summary>
         public PackedSurface(int vertices, int triangles)
         {
             Ints = new NativeArray<int>(HeadInts + 3 * (vertices + triangles), Allocator.Persistent,
                 NativeArrayOptions.UninitializedMemory);
-            (Ints[0], Ints[1]) = (VertexCount, TriangleCount) = (vertices, triangles);
+            (Ints[0], Ints[1]) = (vertices, triangles);
         }
 
-        public static bool TryOpen(NativeArray<int> ints, out PackedSurface surface)
-        {
-            surface = ints.Length < HeadInts ? default
-                : new PackedSurface { Ints = ints, VertexCount = ints[0], TriangleCount = ints[1] };
-            return ints.Length >= HeadInts && surface.VertexCount >= 0 && surface.TriangleCount >= 0 &&
-                ints.Length == HeadInts + 3 * ((long)surface.VertexCount + surface.TriangleCount);
-        }
+        public readonly bool IsWhole => Ints.Length >= HeadInts && Ints[0] >= 0 && Ints[1] >= 0 &&
+            Ints.Length == HeadInts + 3 * ((long)Ints[0] + Ints[1]);
 
-        public readonly NativeArray<float3> Vertices =>
-            Ints.GetSubArray(HeadInts, 3 * VertexCount).Reinterpret<float3>(sizeof(int));
+        public readonly NativeArray<float3> Vertices => Ints.GetSubArray(HeadInts, 3 * Ints[0]).Reinterpret<float3>(sizeof(int));
 
         public readonly NativeArray<int3> Triangles =>
-            Ints.GetSubArray(HeadInts + 3 * VertexCount, 3 * TriangleCount).Reinterpret<int3>(sizeof(int));
+            Ints.GetSubArray(HeadInts + 3 * Ints[0], 3 * Ints[1]).Reinterpret<int3>(sizeof(int));
 
         public void Dispose()
         {

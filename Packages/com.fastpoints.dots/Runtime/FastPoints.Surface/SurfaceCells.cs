@@ -81,9 +81,9 @@ namespace FastPoints.Surface
             return null;
         }
 
-        public void SetMade(SurfaceCell cell, int triangles, object shown)
+        public void SetMade(SurfaceCell cell, int triangles)
         {
-            (cell.Triangles, cell.Shown, cell.RetryAt) = (triangles, shown, 0);
+            (cell.Triangles, cell.RetryAt) = (triangles, 0);
             Triangles += triangles;
             Made.Add(cell);
             Trim();

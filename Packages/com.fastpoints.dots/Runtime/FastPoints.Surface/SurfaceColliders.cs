@@ -114,7 +114,7 @@ namespace FastPoints.Surface
             m_opened.Dispose();
         }
 
-        /// <summary>Coroutine: makes the collider of a cell, and says so to <see cref="Cells"/>.</summary>
+        /// <summary>Coroutine: makes what is shown of a cell.</summary>
         protected abstract IEnumerator<JobStep> Show(SurfaceCell cell, PackedSurface surface);
 
         protected abstract void Hide(SurfaceCell cell);
@@ -148,10 +148,10 @@ namespace FastPoints.Surface
                         Oriented = surface,
                     }.Schedule(after)));
                 }
-                if (surface.TriangleCount > 0)
+                int triangles = surface.Triangles.Length;
+                if (triangles > 0)
                     yield return JobStep.Of(Show(cell, surface));
-                else
-                    Cells.SetMade(cell, 0, null);
+                Cells.SetMade(cell, triangles);
                 while (!isStored && cache != null && IsWriting)
                     yield return default;
                 if (!isStored && cache != null)
@@ -180,6 +180,66 @@ namespace FastPoints.Surface
             world - m_toWorld.c3.xyz)) - m_rootGeo) * m_scale;
 
         protected static double3x3 LinearOf(double4x4 m) => new double3x3(m.c0.xyz, m.c1.xyz, m.c2.xyz);
+    }
+
+    /// <summary>Opens the cloud of a component and goes on with its colliders: five seconds later after an error, anew after
+    /// edits. Main thread.</summary>
+    internal sealed class SurfaceUpdates
+    {
+        readonly Func<string> m_path;
+        readonly Func<OpenedSurface, SurfaceColliders> m_make;
+        readonly Func<SurfaceColliders, bool> m_follow;
+        PoolTask<OpenedSurface> m_opening;
+        double m_retryAt;
+        int m_edits = EditJournal.Writes;
+
+        /// <param name="path">Of the cloud; null for none.</param>
+        /// <param name="follow">Plans; false if it must be made anew.</param>
+        public SurfaceUpdates(Func<string> path, Func<OpenedSurface, SurfaceColliders> make,
+            Func<SurfaceColliders, bool> follow) => (m_path, m_make, m_follow) = (path, make, follow);
+
+        public SurfaceColliders Surface { get; private set; }
+        public string Error { get; private set; }
+
+        public void Reopen()
+        {
+            m_opening?.Dispose();
+            Surface?.Dispose();
+            (m_opening, Surface, m_retryAt) = (null, null, 0);
+        }
+
+        public void Update(string name, int cacheMegabytes, double budgetMs)
+        {
+            double now = UnityEngine.Time.realtimeSinceStartupAsDouble;
+            try
+            {
+                if (m_edits != EditJournal.Writes || Surface != null && !m_follow(Surface))
+                    Reopen();
+                m_edits = EditJournal.Writes;
+                if (Surface == null ? TryOpen(cacheMegabytes, now) : Surface.Update(now, budgetMs))
+                    Error = null;
+            }
+            catch (Exception e)
+            {
+                m_retryAt = now + SurfaceColliders.RetrySeconds;
+                string message = PointCloudException.Of(m_path(), e).Message;
+                if (Error != message)
+                    UnityEngine.Debug.LogError("FastPoints: " + name + " lacks colliders: " + message);
+                Error = message;
+            }
+        }
+
+        bool TryOpen(int cacheMegabytes, double now)
+        {
+            if (m_opening == null && now >= m_retryAt && m_path() is string path)
+                m_opening = OpenedSurface.Begin(path, cacheMegabytes);
+            if (m_opening == null || !m_opening.IsDone)
+                return false;
+            var opening = m_opening;
+            m_opening = null;
+            Surface = m_make(opening.Take());
+            return true;
+        }
     }
 
     /// <summary>Turns a surface into Unity's axes, in a fraction of a millisecond. They are left-handed, and fronts are clockwise
