@@ -85,7 +85,7 @@ public sealed class ManualFactsTests
         var named = page.TableUnder("## Components of GameObjects").Concat(page.TableUnder("## Components of entities"))
             .SelectMany(r => ManualPage.Code(r[0]));
         var types = typeof(PointCloudSettings).Assembly.GetTypes().Concat(typeof(PointFileReaders).Assembly.GetTypes())
-            .Append(typeof(FastPoints.Surface.PointCloudCollider))
+            .Concat(typeof(FastPoints.Surface.PointCloudCollider).Assembly.GetTypes())
             .Where(t => t.IsPublic && !t.IsAbstract &&
             (typeof(MonoBehaviour).IsAssignableFrom(t) || typeof(IComponentData).IsAssignableFrom(t) ||
                 typeof(IBufferElementData).IsAssignableFrom(t)));

@@ -24,7 +24,7 @@ sealed class RemoteColliderTests : RemoteFixture
             {
                 added.GetComponent<PointCloud>().Path = address + Secret;
                 added.Followed.Add(player);
-                (added.Radius, added.VoxelSize, added.FrameMs) = (4, 0.2f, 4);
+                (added.Radius, added.VoxelSize, added.FrameMs, added.CacheMegabytes) = (4, 0.2f, 4, 0);
             });
             world.Frames(() => collider.IsReady(player.position, 1) || collider.Error != null);
             Assert.That(collider.Error, Is.Null);

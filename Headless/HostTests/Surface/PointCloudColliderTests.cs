@@ -78,6 +78,7 @@ public sealed class PointCloudColliderTests : ScratchTests
             added.GetComponent<PointCloud>().Path = path ?? m_cloud;
             added.Followed.Add(m_player);
             (added.Radius, added.VoxelSize, added.HoleSize, added.FrameMs) = (4, Voxel, 0.6f, 4);
+            added.CacheMegabytes = 0; // Tests that use the cache say so.
             set?.Invoke(added);
         });
 
@@ -293,6 +294,42 @@ public sealed class PointCloudColliderTests : ScratchTests
         Assert.That(sources.Select(s => s.transform), Is.EquivalentTo(Shown(collider).Select(
             c => c.transform.localToWorldMatrix)));
         Assert.That(sources.Select(s => s.shape), Is.All.EqualTo(NavMeshBuildSourceShape.Mesh));
+    }
+
+    /// <summary>With the cloud's points gone, the surfaces are those of the cache.</summary>
+    [Test]
+    public void LateUpdate_CellsOnDisk_AreTheSameBitForBitAndReadNoPoints()
+    {
+        Put(-24);
+        string path = Convert(Scratch["cached.fastpoints"]);
+        var collider = Collider(c => c.CacheMegabytes = 16, path);
+        List<(Vector3 Place, Vector3[] Vertices, uint[] Indices)> MakeAll()
+        {
+            collider.enabled = false;
+            collider.enabled = true;
+            m_world.Frames(() => collider.Error != null ||
+                IsAtRest(collider) && collider.CellCount > 0 && !collider.Surface.IsWriting);
+            Assert.That(collider.Error, Is.Null);
+            return Shown(collider).Select(c => (c.transform.localPosition, c.sharedMesh.Vertices.ToArray(),
+                c.sharedMesh.Indices.ToArray())).OrderBy(c => (c.localPosition.x, c.localPosition.y, c.localPosition.z)).ToList();
+        }
+        var made = MakeAll();
+        Assert.That(made, Is.Not.Empty);
+        foreach (string file in Directory.GetFiles(path, "*", SearchOption.AllDirectories))
+            if (new FileInfo(file).Length > 100_000)
+                File.WriteAllBytes(file, new byte[new FileInfo(file).Length]);
+        var read = MakeAll();
+        Assert.That(read.Select(c => c.Place), Is.EqualTo(made.Select(c => c.Place)));
+        for (int i = 0; i < made.Count; i++)
+        {
+            Assert.That(read[i].Indices, Is.EqualTo(made[i].Indices));
+            Assert.That(MemoryMarshal.AsBytes<Vector3>(read[i].Vertices).SequenceEqual(
+                MemoryMarshal.AsBytes<Vector3>(made[i].Vertices)), Is.True);
+        }
+        Assert.That(Directory.GetFiles(path + ".surfaces"), Has.Length.EqualTo(1), "what was read is not written again");
+        collider.HoleSize = 0.4f;
+        m_world.Frames(() => collider.Error != null);
+        Assert.That(collider.CellCount, Is.Zero, "cells of other settings are not taken");
     }
 
     [Test]

@@ -11,7 +11,7 @@ public sealed record CSharpShape(IReadOnlyList<Counted> Parameters, IReadOnlyLis
     private static readonly CSharpParseOptions s_options = new CSharpParseOptions(LanguageVersion.Latest,
         DocumentationMode.None, SourceCodeKind.Regular,
         new[] { "ENABLE_UNITY_COLLECTIONS_CHECKS", "UNITY_EDITOR", "UNITY_INCLUDE_TESTS", "UNITY_6000_3_OR_NEWER",
-            "FASTPOINTS_PHYSICS", "FASTPOINTS_AI" });
+            "FASTPOINTS_PHYSICS", "FASTPOINTS_AI", "FASTPOINTS_DOTS_PHYSICS" });
 
     public static CSharpShape Of(SourceFile file)
     {

@@ -10,7 +10,7 @@ namespace FastPoints.RepoTools.Layers;
 public static class FileCycles
 {
     private static readonly CSharpParseOptions s_options =
-        CSharpParseOptions.Default.WithPreprocessorSymbols("FASTPOINTS_PHYSICS", "FASTPOINTS_AI");
+        CSharpParseOptions.Default.WithPreprocessorSymbols("FASTPOINTS_PHYSICS", "FASTPOINTS_AI", "FASTPOINTS_DOTS_PHYSICS");
 
     private static readonly (string Files, string Reason)[] s_kept =
     {

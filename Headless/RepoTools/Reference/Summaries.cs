@@ -8,7 +8,7 @@ public sealed class Summaries
 {
     private static readonly CSharpParseOptions s_options =
         new CSharpParseOptions(LanguageVersion.Latest, DocumentationMode.Parse)
-            .WithPreprocessorSymbols("FASTPOINTS_PHYSICS", "FASTPOINTS_AI");
+            .WithPreprocessorSymbols("FASTPOINTS_PHYSICS", "FASTPOINTS_AI", "FASTPOINTS_DOTS_PHYSICS");
 
     private readonly Dictionary<string, string> m_ofType = new Dictionary<string, string>(StringComparer.Ordinal);
 

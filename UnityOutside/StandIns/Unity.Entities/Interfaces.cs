@@ -8,6 +8,9 @@ public interface ICleanupComponentData : IComponentData { }
 
 public interface IBufferElementData { }
 
+/// <summary>Values of one are shared by chunks; here entities have the default alone.</summary>
+public interface ISharedComponentData : IQueryTypeParameter { }
+
 public interface IEnableableComponent { }
 
 [AttributeUsage(AttributeTargets.Struct)]

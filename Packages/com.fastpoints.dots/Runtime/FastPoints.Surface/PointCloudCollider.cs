@@ -1,9 +1,7 @@
 #if FASTPOINTS_PHYSICS
-using System;
 using System.Collections.Generic;
 using FastPoints.Drawing;
 using FastPoints.Entities;
-using FastPoints.Store;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -18,8 +16,6 @@ namespace FastPoints.Surface
     [Icon("Packages/com.fastpoints.dots/Editor/Icons/PointCloud.png")]
     public sealed class PointCloudCollider : MonoBehaviour
     {
-        const int CellVoxels = 80;
-
         [Tooltip("What moves: players, vehicles, agents. There are colliders around each of them, and nowhere else.")]
         public List<Transform> Followed = new List<Transform>();
 
@@ -48,17 +44,19 @@ namespace FastPoints.Surface
         [Tooltip("Time of the main thread in each frame while cells are made, in ms, beside what PhysX takes.")]
         public float FrameMs = 0.5f;
 
+        [Tooltip("Of the surfaces of cells that are kept on disk, beside the cloud, so that they are made once; 0 for none.")]
+        public int CacheMegabytes = 256;
+
+        readonly List<double3> m_near = new List<double3>();
+        SurfaceUpdates m_updates;
         PointCloud m_cloud;
-        PoolTask<(CloudFolder Folder, EditPlan Edits)> m_opening;
         PointCloudAsset m_openedCloud;
         string m_openedPath;
-        double m_retryAt;
-        int m_edits = EditJournal.Writes;
 
-        internal SurfaceColliders Surface { get; private set; }
+        internal SurfaceColliders Surface => m_updates?.Surface;
 
         /// <summary>What went wrong last, in one line; null if all is well. It is tried again every five seconds.</summary>
-        public string Error { get; private set; }
+        public string Error => m_updates?.Error;
 
         /// <summary>Cells that are kept, empty ones too.</summary>
         public int CellCount => Surface == null ? 0 : Surface.Cells.Made.Count;
@@ -67,15 +65,10 @@ namespace FastPoints.Surface
         /// <summary>Whether the cells around a position of the world are made, with ground in them or without: hold players until
         /// then, after a start or a jump. Never where nothing that is followed is near.</summary>
         /// <param name="reach">How far around, in world units.</param>
-        public bool IsReady(Vector3 position, float reach = 2) => Surface != null && Surface.IsReady(position, reach);
+        public bool IsReady(Vector3 position, float reach = 2) => Surface != null && Surface.IsReady(Of(position), reach);
 
         /// <summary>Makes all anew, for example after the cloud was converted again.</summary>
-        public void Reopen()
-        {
-            m_opening?.Dispose();
-            Surface?.Dispose();
-            (m_opening, Surface, m_retryAt) = (null, null, 0);
-        }
+        public void Reopen() => m_updates?.Reopen();
 
 #if FASTPOINTS_AI
         /// <summary>Adds the colliders of now as sources of a navigation mesh: build it anew when <see cref="CellCount"/>
@@ -83,88 +76,53 @@ namespace FastPoints.Surface
         public void AddNavMeshSources(List<UnityEngine.AI.NavMeshBuildSource> sources)
         {
             for (int i = 0; i < CellCount; i++)
-                if (Surface.Cells.Made[i].Collider != null)
+                if (Surface.Cells.Made[i].Shown is MeshCollider collider && collider != null)
                     sources.Add(new UnityEngine.AI.NavMeshBuildSource
                     {
                         shape = UnityEngine.AI.NavMeshBuildSourceShape.Mesh,
-                        sourceObject = Surface.Cells.Made[i].Collider.sharedMesh,
-                        transform = Surface.Cells.Made[i].Collider.transform.localToWorldMatrix,
-                        component = Surface.Cells.Made[i].Collider,
+                        sourceObject = collider.sharedMesh,
+                        transform = collider.transform.localToWorldMatrix,
+                        component = collider,
                     });
         }
 #endif
 
-        void OnEnable() => m_cloud = GetComponent<PointCloud>();
+        void OnEnable()
+        {
+            m_cloud = GetComponent<PointCloud>();
+            m_updates ??= new SurfaceUpdates(() => m_cloud.HasCloud ? m_cloud.FullPath : null, Make, Follow);
+        }
+
         void OnDisable() => Reopen();
 
         // What it follows has moved by then.
         internal void LateUpdate()
         {
-            double now = Time.realtimeSinceStartupAsDouble;
-            try
-            {
-                if (m_openedCloud != m_cloud.Cloud || m_openedPath != m_cloud.Path || m_edits != EditJournal.Writes)
-                    Reopen();
-                m_edits = EditJournal.Writes;
-                if (Surface == null ? TryOpen(now) : Follow(now))
-                    Error = null;
-            }
-            catch (Exception e)
-            {
-                m_retryAt = now + SurfaceColliders.RetrySeconds;
-                string message = PointCloudException.Of(m_cloud.FullPath, e).Message;
-                if (Error != message)
-                    Debug.LogError("FastPoints: " + name + " lacks colliders: " + message);
-                Error = message;
-            }
+            if (m_openedCloud != m_cloud.Cloud || m_openedPath != m_cloud.Path)
+                Reopen();
+            (m_openedCloud, m_openedPath) = (m_cloud.Cloud, m_cloud.Path);
+            m_updates.Update(name, CacheMegabytes, FrameMs);
         }
 
-        bool Follow(double now)
-        {
-            (Surface.Cells.MaxCells, Surface.Cells.MaxTriangles) = (MaxCells, MaxTriangles);
-            if (Surface.Follow(Followed, Radius, Grid, ClassMask.Of(HiddenClasses)))
-                return Surface.Update(now, FrameMs);
-            Reopen();
-            return false;
-        }
+        SurfaceColliders Make(OpenedSurface opened) => new MeshColliders(opened, Grid, ClassMask.Of(HiddenClasses),
+            m_cloud.SpaceOf(opened.Folder.Manifest), transform);
 
-        bool TryOpen(double now)
+        bool Follow(SurfaceColliders surface)
         {
-            if (m_opening == null && now >= m_retryAt && m_cloud.HasCloud)
-            {
-                string path = m_cloud.FullPath;
-                (m_openedCloud, m_openedPath) = (m_cloud.Cloud, m_cloud.Path);
-                m_opening = PoolTask.Begin(path, () => Open(path), unwanted => unwanted.Folder.Dispose());
-            }
-            if (m_opening == null || !m_opening.IsDone)
+            var space = m_cloud.SpaceOf(surface.Manifest);
+            if (!surface.IsMadeBy(Grid, ClassMask.Of(HiddenClasses), space))
                 return false;
-            var opening = m_opening;
-            m_opening = null;
-            var opened = opening.Take();
-            Surface = new SurfaceColliders(opened.Folder, opened.Edits, Grid, ClassMask.Of(HiddenClasses), m_cloud);
+            (surface.Cells.MaxCells, surface.Cells.MaxTriangles) = (MaxCells, MaxTriangles);
+            m_near.Clear();
+            foreach (var followed in Followed)
+                if (followed != null)
+                    m_near.Add(Of(followed.position));
+            surface.Follow(space, new double4x4(TransformMatrix.Of(transform).Value), m_near, Radius);
             return true;
         }
 
-        SurfaceGrid Grid => new SurfaceGrid(math.max(0.001, VoxelSize), CellVoxels,
-            (float)math.clamp(HoleSize / math.max(0.001, VoxelSize), 0, SurfaceGrid.MaxHoleVoxels));
-
-        static (CloudFolder Folder, EditPlan Edits) Open(string path)
-        {
-            var folder = CloudFolder.IsCloud(path) ? CloudFolder.Open(path) : null;
-            try
-            {
-                if (folder != null && !folder.IsUnfinished)
-                    return (folder, EditPlan.Of(path, folder.Manifest));
-            }
-            catch
-            {
-                folder.Dispose();
-                throw;
-            }
-            folder?.Dispose();
-            throw new PointCloudException(FailureCode.Unsupported, path, -1, "colliders are made of whole converted clouds: " +
-                (folder == null ? "wanted a folder with " + StoreFormat.ManifestName : "this one is still being converted"));
-        }
+        SurfaceGrid Grid => SurfaceColliders.GridOf(VoxelSize, HoleSize);
+        static double3 Of(Vector3 v) => new double3(v.x, v.y, v.z);
     }
 }
 #endif

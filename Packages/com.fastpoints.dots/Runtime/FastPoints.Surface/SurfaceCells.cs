@@ -1,8 +1,6 @@
-#if FASTPOINTS_PHYSICS
 using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
-using UnityEngine;
 
 namespace FastPoints.Surface
 {
@@ -13,10 +11,10 @@ namespace FastPoints.Surface
         public double Distance; // From the nearest place, in world units.
         public long NearInPlan, WantedInPlan; // The last plan that had it within the radius, and that wanted it.
         public int Triangles = -1; // Known once it was made, even if there was no room for it.
-        public MeshCollider Collider; // Null while it is not made, or if it is empty.
+        public object Shown; // Its collider; null while it is not made, or if it is empty.
         public double RetryAt; // It failed, and is not tried before.
 
-        public bool IsMade => Triangles == 0 || !(Collider is null);
+        public bool IsMade => Triangles == 0 || Shown != null;
     }
 
     /// <summary>Which cells are wanted around places, the nearest first, within budgets. Those that were made stay until others
@@ -29,7 +27,7 @@ namespace FastPoints.Surface
             (a.Distance, a.At.z, a.At.y, a.At.x).CompareTo((b.Distance, b.At.z, b.At.y, b.At.x));
 
         readonly SurfaceGrid m_grid;
-        readonly Action<MeshCollider> m_free;
+        readonly Action<SurfaceCell> m_free;
         readonly Dictionary<int3, SurfaceCell> m_cells = new Dictionary<int3, SurfaceCell>();
         readonly List<SurfaceCell> m_wanted = new List<SurfaceCell>(), m_forgotten = new List<SurfaceCell>();
         long m_plan;
@@ -37,7 +35,7 @@ namespace FastPoints.Surface
         public int MaxCells = int.MaxValue;
         public long MaxTriangles = long.MaxValue;
 
-        public SurfaceCells(in SurfaceGrid grid, Action<MeshCollider> free) => (m_grid, m_free) = (grid, free);
+        public SurfaceCells(in SurfaceGrid grid, Action<SurfaceCell> free) => (m_grid, m_free) = (grid, free);
 
         /// <summary>Cells that were made, empty ones too.</summary>
         public List<SurfaceCell> Made { get; } = new List<SurfaceCell>();
@@ -83,9 +81,9 @@ namespace FastPoints.Surface
             return null;
         }
 
-        public void SetMade(SurfaceCell cell, int triangles, MeshCollider collider)
+        public void SetMade(SurfaceCell cell, int triangles)
         {
-            (cell.Triangles, cell.Collider, cell.RetryAt) = (triangles, collider, 0);
+            (cell.Triangles, cell.RetryAt) = (triangles, 0);
             Triangles += triangles;
             Made.Add(cell);
             Trim();
@@ -137,10 +135,9 @@ namespace FastPoints.Surface
                 if (oldest.Triangles == 0)
                     oldest.Triangles = -1;
                 else
-                    m_free(oldest.Collider);
-                oldest.Collider = null;
+                    m_free(oldest);
+                oldest.Shown = null;
             }
         }
     }
 }
-#endif

@@ -1,42 +1,32 @@
-#if FASTPOINTS_PHYSICS
 using System;
 using System.Collections.Generic;
 using FastPoints.Drawing;
-using FastPoints.Entities;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;
 using Unity.Mathematics;
-using UnityEngine;
-using UnityEngine.Rendering;
-using Object = UnityEngine.Object;
 
 namespace FastPoints.Surface
 {
-    /// <summary>The colliders of an open cloud near what moves, made one cell at a time, from a pool. Cells are counted in metres
-    /// from the corner of the cloud's root, in double; the space that the cloud is shown in places them. Main thread.</summary>
-    internal sealed class SurfaceColliders : IDisposable
+    /// <summary>The colliders of an open cloud near what moves, made one cell at a time. Cells are counted in metres from the
+    /// corner of the cloud's root, in double; the space that the cloud is shown in places them. Main thread.</summary>
+    internal abstract class SurfaceColliders : IDisposable
     {
         public const double RetrySeconds = 5;
+        const int CellVoxels = 80;
         const long PointsPerBatch = 300_000; // Of a cell at once: 7 MB.
         const double MinMove = 0.125; // Of a cell: what has moved less changes no plan.
         const double MaxScaleChange = 1e-3; // Metres of a degree change with the place: beyond this all is made anew.
 
-        readonly CloudFolder m_folder;
+        readonly OpenedSurface m_opened;
         readonly SurfaceGrid m_grid;
         readonly ClassMask m_hidden;
-        readonly PointCloud m_cloud;
-        readonly Transform m_parent;
-        readonly BoundsGeo m_boundsGeo;
-        readonly CloudUnits m_units;
         readonly SurfacePointReader m_points;
         readonly SurfaceBuilder m_builder;
         readonly double3 m_rootGeo, m_scale;
         readonly double3x3 m_fromCloud;
-        readonly Stack<(MeshCollider, Mesh)> m_free = new Stack<(MeshCollider, Mesh)>();
-        readonly List<Object> m_owned = new List<Object>();
         List<double3> m_places = new List<double3>(), m_planned = new List<double3>();
         UnitySpace m_space;
         double4x4 m_toWorld;
@@ -44,53 +34,61 @@ namespace FastPoints.Surface
         double m_radius;
         bool m_isStale = true;
         JobCoroutine m_making;
+        PoolTask<bool> m_writing;
 
-        /// <param name="folder">Is owned from now on.</param>
-        /// <param name="edits">Null for the cloud as it is stored.</param>
-        public SurfaceColliders(CloudFolder folder, EditPlan edits, in SurfaceGrid grid, ClassMask hidden, PointCloud cloud)
+        /// <param name="opened">Is owned from now on.</param>
+        protected SurfaceColliders(in OpenedSurface opened, in SurfaceGrid grid, ClassMask hidden, in UnitySpace space)
         {
-            (m_folder, m_grid, m_hidden, m_cloud, m_parent) = (folder, grid, hidden, cloud, cloud.transform);
-            (m_boundsGeo, m_units) = (folder.Manifest.BoundsGeo, folder.Manifest.Crs.Units);
-            var space = m_space = cloud.SpaceOf(m_boundsGeo, m_units);
-            m_scale = space.Scale;
-            m_rootGeo = folder.Manifest.Grid.ToGeo(folder.Manifest.Root.Corner);
+            var manifest = opened.Folder.Manifest;
+            (m_opened, m_grid, m_hidden, m_space, m_scale) = (opened, grid, hidden, space, space.Scale);
+            m_rootGeo = manifest.Grid.ToGeo(manifest.Root.Corner);
             space.Up.Directions(out var east, out var north, out var up);
             m_fromCloud = math.transpose(new double3x3(east, up, north));
-            m_points = new SurfacePointReader(folder, grid, hidden, m_scale) { PointsPerBatch = PointsPerBatch, Edits = edits };
+            m_points = new SurfacePointReader(opened.Folder, grid, hidden, m_scale)
+            {
+                PointsPerBatch = PointsPerBatch,
+                Edits = opened.Edits,
+            };
             m_builder = new SurfaceBuilder(grid, (float3)up);
-            Cells = new SurfaceCells(grid, collider => Return(collider, null));
+            opened.Cache?.Begin(grid, hidden, m_scale, space.Up);
+            Cells = new SurfaceCells(grid, Hide);
         }
 
+        public static SurfaceGrid GridOf(float voxelSize, float holeSize) => new SurfaceGrid(math.max(0.001, voxelSize),
+            CellVoxels, (float)math.clamp(holeSize / math.max(0.001, voxelSize), 0, SurfaceGrid.MaxHoleVoxels));
+
+        public CloudManifest Manifest => m_opened.Folder.Manifest;
         public SurfaceCells Cells { get; }
         public bool IsMaking => m_making != null && !m_making.IsDone;
+        public bool IsWriting => m_writing != null && !m_writing.IsDone;
 
-        /// <summary>Plans anew where something has moved, and moves colliders where the cloud's origin has.</summary>
-        /// <returns>False if it was made in another way than is wanted.</returns>
-        public bool Follow(List<Transform> followed, double radius, in SurfaceGrid grid, ClassMask hidden)
+        /// <summary>Whether it would be made in the same way.</summary>
+        public bool IsMadeBy(in SurfaceGrid grid, ClassMask hidden, in UnitySpace space) => m_grid.Equals(grid) &&
+            m_hidden.Equals(hidden) && m_space.Up == space.Up &&
+            math.all(math.abs(space.Scale - m_scale) <= MaxScaleChange * m_scale);
+
+        /// <summary>Plans anew where something has moved, and moves colliders where the cloud has.</summary>
+        /// <param name="followed">Positions in the world.</param>
+        public void Follow(in UnitySpace space, in double4x4 toWorld, List<double3> followed, double radius)
         {
-            var space = m_cloud.SpaceOf(m_boundsGeo, m_units);
-            if (!m_grid.Equals(grid) || !m_hidden.Equals(hidden) || m_space.Up != space.Up ||
-                math.any(math.abs(space.Scale - m_scale) > MaxScaleChange * m_scale))
-                return false;
-            bool isElsewhere = !m_space.OriginGeo.Equals(space.OriginGeo);
-            (m_space, m_toWorld) = (space, new double4x4(TransformMatrix.Of(m_parent).Value));
+            bool isElsewhere = !m_space.OriginGeo.Equals(space.OriginGeo) || !m_toWorld.Equals(toWorld);
+            (m_space, m_toWorld) = (space, toWorld);
             foreach (var cell in Cells.Made)
-                if (isElsewhere && cell.Collider != null)
-                    cell.Collider.transform.localPosition = PositionOf(cell.At);
+                if (isElsewhere && cell.Shown != null)
+                    Move(cell);
             var toAxes = math.mul(LinearOf(m_toWorld), m_fromCloud);
             var lengths = new double3(math.length(toAxes.c0), math.length(toAxes.c1), math.length(toAxes.c2));
             m_places.Clear();
-            foreach (var transform in followed)
-                if (transform != null && math.determinant(toAxes) != 0)
-                    m_places.Add(MetresOf(transform.position));
+            foreach (var position in followed)
+                if (math.determinant(toAxes) != 0)
+                    m_places.Add(MetresOf(position));
             bool isStale = m_isStale || m_radius != radius || !m_lengths.Equals(lengths) || m_places.Count != m_planned.Count;
             for (int i = 0; i < m_places.Count && !isStale; i++)
                 isStale = math.distance(m_places[i], m_planned[i]) > MinMove * m_grid.CellMetres;
             if (!isStale)
-                return true;
+                return;
             (m_radius, m_lengths, m_isStale, m_places, m_planned) = (radius, lengths, false, m_planned, m_places);
             Cells.Plan(m_planned, lengths, radius);
-            return true;
         }
 
         /// <summary>Goes on with a cell. Returns whether one was completed.</summary>
@@ -105,97 +103,143 @@ namespace FastPoints.Surface
             return m_isStale |= m_making.Tick(budgetMs);
         }
 
-        public bool IsReady(Vector3 world, double reach) => math.all(m_lengths > 0) &&
+        public bool IsReady(double3 world, double reach) => math.all(m_lengths > 0) &&
             Cells.IsMade(MetresOf(world), reach / m_lengths);
 
-        public void Dispose()
+        public virtual void Dispose()
         {
             m_making?.Cancel();
-            foreach (var owned in m_owned)
-                if (owned != null)
-                    Object.Destroy(owned);
             m_builder.Dispose();
             m_points.Dispose();
-            m_folder.Dispose();
+            m_opened.Dispose();
         }
+
+        /// <summary>Coroutine: makes what is shown of a cell.</summary>
+        protected abstract IEnumerator<JobStep> Show(SurfaceCell cell, PackedSurface surface);
+
+        protected abstract void Hide(SurfaceCell cell);
+        protected abstract void Move(SurfaceCell cell);
+
+        /// <summary>The corner of a cell, in the space that the cloud's transform moves.</summary>
+        protected double3 LocalOf(int3 cell) => m_space.FromGeo(m_rootGeo +
+            new double3(cell.x, cell.y, cell.z) * m_grid.CellMetres / m_scale);
+
+        protected double3 WorldOf(int3 cell) => math.mul(LinearOf(m_toWorld), LocalOf(cell)) + m_toWorld.c3.xyz;
 
         IEnumerator<JobStep> Make(SurfaceCell cell)
         {
-            yield return JobStep.Of(m_builder.Run(cell.At, m_points.Add));
-            NativeArray<int3> vertices = m_builder.Vertices, triangles = m_builder.Triangles;
-            if (triangles.Length == 0)
-            {
-                Cells.SetMade(cell, 0, null);
-                yield break;
-            }
-            var (collider, mesh) = Rent();
-            using var oriented = new NativeArray<float3>(vertices.Length, Allocator.Persistent);
-            var job = new OrientSurfaceJob
-            {
-                FromSteps = m_fromCloud * (m_grid.VoxelMetres / SurfaceGrid.StepsPerVoxel),
-                Vertices = vertices,
-                Triangles = triangles,
-                Oriented = oriented,
-            }.Schedule();
-            bool isShown = false;
+            var cache = m_opened.Cache;
+            var surface = default(PackedSurface);
             try
             {
-                yield return job;
-                mesh.indexFormat = IndexFormat.UInt32;
-                mesh.SetVertices(oriented);
-                mesh.SetIndices(triangles.Reinterpret<int>(3 * sizeof(int)), MeshTopology.Triangles, 0);
-#if UNITY_6000_3_OR_NEWER
-                job = new BakeMeshJob { Mesh = mesh.GetEntityId() }.Schedule();
-#else
-                job = new BakeMeshJob { Mesh = mesh.GetInstanceID() }.Schedule();
-#endif
-                yield return job;
-                collider.transform.localPosition = PositionOf(cell.At);
-                collider.sharedMesh = mesh;
-                collider.gameObject.layer = m_parent.gameObject.layer;
-                collider.gameObject.SetActive(isShown = true);
-                Cells.SetMade(cell, triangles.Length, collider);
+                if (cache != null)
+                    yield return JobStep.Of(PoolTask.Run(cache.Folder, () => cache.Read(cell.At), read => surface = read,
+                        unwanted => unwanted.Dispose()));
+                bool isStored = surface.Ints.IsCreated;
+                if (!isStored)
+                {
+                    yield return JobStep.Of(m_builder.Run(cell.At, m_points.Add));
+                    surface = new PackedSurface(m_builder.Vertices.Length, m_builder.Triangles.Length);
+                    yield return JobStep.Of(Slices.Run(0, 1, 1, (first, end, after) => new OrientSurfaceJob
+                    {
+                        FromSteps = m_fromCloud * (m_grid.VoxelMetres / SurfaceGrid.StepsPerVoxel),
+                        Vertices = m_builder.Vertices,
+                        Triangles = m_builder.Triangles,
+                        Oriented = surface,
+                    }.Schedule(after)));
+                }
+                int triangles = surface.Triangles.Length;
+                if (triangles > 0)
+                    yield return JobStep.Of(Show(cell, surface));
+                Cells.SetMade(cell, triangles);
+                while (!isStored && cache != null && IsWriting)
+                    yield return default;
+                if (!isStored && cache != null)
+                    BeginWriting(cell.At, ref surface);
             }
             finally
             {
-                job.Complete();
-                if (!isShown)
-                    Return(collider, mesh);
+                surface.Dispose();
             }
         }
 
-        (MeshCollider, Mesh) Rent()
+        // It is its from then on.
+        void BeginWriting(int3 cell, ref PackedSurface surface)
         {
-            if (m_free.Count > 0)
-                return m_free.Pop();
-            var cell = new GameObject("Cell of a point cloud") { hideFlags = HideFlags.DontSave };
-            var mesh = new Mesh { name = cell.name, hideFlags = HideFlags.DontSave };
-            m_owned.AddRange(new Object[] { cell, mesh });
-            cell.SetActive(false);
-            cell.transform.SetParent(m_parent, false);
-            return (cell.AddComponent<MeshCollider>(), mesh);
+            var (cache, written) = (m_opened.Cache, surface);
+            surface = default;
+            m_writing = PoolTask.Begin(cache.Folder, () =>
+            {
+                using (written)
+                    cache.Write(cell, written);
+                return true;
+            });
         }
 
-        void Return(MeshCollider collider, Mesh mesh)
+        double3 MetresOf(double3 world) => (m_space.ToGeo(math.mul(math.inverse(LinearOf(m_toWorld)),
+            world - m_toWorld.c3.xyz)) - m_rootGeo) * m_scale;
+
+        protected static double3x3 LinearOf(double4x4 m) => new double3x3(m.c0.xyz, m.c1.xyz, m.c2.xyz);
+    }
+
+    /// <summary>Opens the cloud of a component and goes on with its colliders: five seconds later after an error, anew after
+    /// edits. Main thread.</summary>
+    internal sealed class SurfaceUpdates
+    {
+        readonly Func<string> m_path;
+        readonly Func<OpenedSurface, SurfaceColliders> m_make;
+        readonly Func<SurfaceColliders, bool> m_follow;
+        PoolTask<OpenedSurface> m_opening;
+        double m_retryAt;
+        int m_edits = EditJournal.Writes;
+
+        /// <param name="path">Of the cloud; null for none.</param>
+        /// <param name="follow">Plans; false if it must be made anew.</param>
+        public SurfaceUpdates(Func<string> path, Func<OpenedSurface, SurfaceColliders> make,
+            Func<SurfaceColliders, bool> follow) => (m_path, m_make, m_follow) = (path, make, follow);
+
+        public SurfaceColliders Surface { get; private set; }
+        public string Error { get; private set; }
+
+        public void Reopen()
         {
-            // Somebody may have deleted what lies below the cloud.
-            if (collider == null)
-                return;
-            mesh ??= collider.sharedMesh;
-            collider.gameObject.SetActive(false);
-            collider.sharedMesh = null;
-            mesh.Clear();
-            m_free.Push((collider, mesh));
+            m_opening?.Dispose();
+            Surface?.Dispose();
+            (m_opening, Surface, m_retryAt) = (null, null, 0);
         }
 
-        Vector3 PositionOf(int3 cell) => Of(m_space.FromGeo(m_rootGeo +
-            new double3(cell.x, cell.y, cell.z) * m_grid.CellMetres / m_scale));
+        public void Update(string name, int cacheMegabytes, double budgetMs)
+        {
+            double now = UnityEngine.Time.realtimeSinceStartupAsDouble;
+            try
+            {
+                if (m_edits != EditJournal.Writes || Surface != null && !m_follow(Surface))
+                    Reopen();
+                m_edits = EditJournal.Writes;
+                if (Surface == null ? TryOpen(cacheMegabytes, now) : Surface.Update(now, budgetMs))
+                    Error = null;
+            }
+            catch (Exception e)
+            {
+                m_retryAt = now + SurfaceColliders.RetrySeconds;
+                string message = PointCloudException.Of(m_path(), e).Message;
+                if (Error != message)
+                    UnityEngine.Debug.LogError("FastPoints: " + name + " lacks colliders: " + message);
+                Error = message;
+            }
+        }
 
-        double3 MetresOf(Vector3 world) => (m_space.ToGeo(math.mul(math.inverse(LinearOf(m_toWorld)),
-            new double3(world.x, world.y, world.z) - m_toWorld.c3.xyz)) - m_rootGeo) * m_scale;
-
-        static double3x3 LinearOf(double4x4 m) => new double3x3(m.c0.xyz, m.c1.xyz, m.c2.xyz);
-        static Vector3 Of(double3 v) => new Vector3((float)v.x, (float)v.y, (float)v.z);
+        bool TryOpen(int cacheMegabytes, double now)
+        {
+            if (m_opening == null && now >= m_retryAt && m_path() is string path)
+                m_opening = OpenedSurface.Begin(path, cacheMegabytes);
+            if (m_opening == null || !m_opening.IsDone)
+                return false;
+            var opening = m_opening;
+            m_opening = null;
+            Surface = m_make(opening.Take());
+            return true;
+        }
     }
 
     /// <summary>Turns a surface into Unity's axes, in a fraction of a millisecond. They are left-handed, and fronts are clockwise
@@ -205,28 +249,17 @@ namespace FastPoints.Surface
     {
         public double3x3 FromSteps;
         [ReadOnly] public NativeArray<int3> Vertices;
-        public NativeArray<int3> Triangles;
-        public NativeArray<float3> Oriented;
+        [ReadOnly] public NativeArray<int3> Triangles;
+        public PackedSurface Oriented;
 
         public void Execute()
         {
+            var vertices = Oriented.Vertices;
             for (int i = 0; i < Vertices.Length; i++)
-                Oriented[i] = (float3)math.mul(FromSteps, (double3)Vertices[i]);
+                vertices[i] = (float3)math.mul(FromSteps, (double3)Vertices[i]);
+            var triangles = Oriented.Triangles;
             for (int i = 0; i < Triangles.Length; i++)
-                Triangles[i] = new int3(Triangles[i].x, Triangles[i].z, Triangles[i].y);
+                triangles[i] = new int3(Triangles[i].x, Triangles[i].z, Triangles[i].y);
         }
     }
-
-    /// <summary>Prepares a mesh for PhysX: some ten milliseconds that cannot be cut. Burst has nothing to compile here.</summary>
-    internal struct BakeMeshJob : IJob
-    {
-#if UNITY_6000_3_OR_NEWER
-        public EntityId Mesh;
-#else
-        public int Mesh;
-#endif
-
-        public void Execute() => Physics.BakeMesh(Mesh, false);
-    }
 }
-#endif

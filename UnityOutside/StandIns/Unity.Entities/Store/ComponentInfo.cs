@@ -12,7 +12,8 @@ sealed class ComponentInfo
         Type = type;
         IsBuffer = typeof(IBufferElementData).IsAssignableFrom(type);
         // Entities 6.7 has no managed components any more.
-        if (!type.IsValueType || !typeof(IComponentData).IsAssignableFrom(type) && !IsBuffer)
+        if (!type.IsValueType || !typeof(IComponentData).IsAssignableFrom(type) && !IsBuffer &&
+            !typeof(ISharedComponentData).IsAssignableFrom(type))
             throw new ArgumentException("All ComponentType must be known at compile time: " + type + " is no struct that is an " +
                 "IComponentData or IBufferElementData");
         IsEnableable = typeof(IEnableableComponent).IsAssignableFrom(type);

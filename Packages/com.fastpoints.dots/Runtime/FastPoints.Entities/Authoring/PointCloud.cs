@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Drawing;
+using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Entities;
 using Unity.Mathematics;
@@ -241,11 +242,11 @@ namespace FastPoints.Entities
         internal string FullPath => Paths.FullPath;
 
         /// <summary>The space in which the cloud is shown, or will be: also where nothing draws it, as on a server.</summary>
-        internal UnitySpace SpaceOf(BoundsGeo boundsGeo, CloudUnits units)
+        internal UnitySpace SpaceOf(CloudManifest manifest)
         {
             var file = File;
             Place(ref file);
-            return TryGetSpace(out var space) ? space : file.SpaceOf(boundsGeo, units);
+            return TryGetSpace(out var space) ? space : file.SpaceOf(manifest.BoundsGeo, manifest.Crs.Units);
         }
 
         PointCloudLayer Layer => new PointCloudLayer

@@ -13,13 +13,14 @@ namespace FastPoints
         const long MaxSegmentBytes = 32 << 20;
         const int MinSegments = 8;
         const int MaxOverlaps = 8;
-        const int MaxSegments = 160; // Each is an open file.
+        const int MaxRemoteSegments = 160; // Each is an open file.
 
         static readonly object s_lock = new object();
         static RangeCache s_current;
 
         readonly object m_lock = new object();
         readonly long m_maxBytes;
+        readonly int m_maxSegments;
         readonly Dictionary<FileVersionKey, List<Entry>> m_entries = new Dictionary<FileVersionKey, List<Entry>>();
         readonly List<RangeCacheFile> m_segments = new List<RangeCacheFile>();
         RangeCacheFile m_written;
@@ -33,10 +34,9 @@ namespace FastPoints
             public int Length;
         }
 
-        RangeCache(string folder, long maxBytes)
+        public RangeCache(string folder, long maxBytes, int maxSegments)
         {
-            Folder = folder;
-            m_maxBytes = maxBytes;
+            (Folder, m_maxBytes, m_maxSegments) = (folder, maxBytes, maxSegments);
             Scan();
         }
 
@@ -47,27 +47,24 @@ namespace FastPoints
             {
                 if (RemoteAccess.CacheBytes <= 0)
                     return null;
-                string folder = RemoteAccess.CacheFolder ?? DefaultFolder;
+                string folder = RemoteAccess.CacheFolder ?? FolderOfUser("remote");
                 lock (s_lock)
                 {
                     if (s_current?.Folder != folder || s_current.m_maxBytes != RemoteAccess.CacheBytes)
                     {
                         s_current?.Close();
-                        s_current = new RangeCache(folder, RemoteAccess.CacheBytes);
+                        s_current = new RangeCache(folder, RemoteAccess.CacheBytes, MaxRemoteSegments);
                     }
                     return s_current;
                 }
             }
         }
 
-        static string DefaultFolder
+        public static string FolderOfUser(string name)
         {
-            get
-            {
-                string data = Environment.GetFolderPath(Environment.SpecialFolder.LocalApplicationData,
-                    Environment.SpecialFolderOption.Create);
-                return Path.Combine(data.Length > 0 ? data : Path.GetTempPath(), "FastPoints", "remote");
-            }
+            string data = Environment.GetFolderPath(Environment.SpecialFolder.LocalApplicationData,
+                Environment.SpecialFolderOption.Create);
+            return Path.Combine(data.Length > 0 ? data : Path.GetTempPath(), "FastPoints", name);
         }
 
         public string Folder { get; }
@@ -129,11 +126,16 @@ namespace FastPoints
         {
             lock (m_lock)
             {
-                if (!m_entries.TryGetValue(key, out var entries) || entries.Count == 0)
-                    return null;
-                var bytes = new byte[entries[entries.Count - 1].Length];
-                return TryRead(key, entries[entries.Count - 1].Offset, bytes) ? bytes : null;
+                var bytes = new byte[LengthOf(key)];
+                return bytes.Length > 0 && TryRead(key, m_entries[key][m_entries[key].Count - 1].Offset, bytes) ? bytes : null;
             }
+        }
+
+        // Of the last range; 0 if there is none.
+        public int LengthOf(FileVersionKey key)
+        {
+            lock (m_lock)
+                return m_entries.TryGetValue(key, out var entries) && entries.Count > 0 ? entries[entries.Count - 1].Length : 0;
         }
 
         public void Add(FileVersionKey key, long offset, ReadOnlySpan<byte> bytes)
@@ -176,13 +178,13 @@ namespace FastPoints
         // Short runs leave short segments: of too many, those used longest ago go into the one that is written.
         void Compact()
         {
-            if (m_segments.Count <= MaxSegments)
+            if (m_segments.Count <= m_maxSegments)
                 return;
             var byUse = m_segments.FindAll(s => s != m_written);
             byUse.Sort((a, b) => a.LastUsedUtc.CompareTo(b.LastUsedUtc));
             foreach (var segment in byUse)
             {
-                if (m_segments.Count <= MaxSegments / 2)
+                if (m_segments.Count <= m_maxSegments / 2)
                     return;
                 if (!HasRoom(segment.Bytes))
                     continue;
@@ -213,7 +215,8 @@ namespace FastPoints
             }
         }
 
-        void Close()
+        // It is read and written no more.
+        public void Close()
         {
             m_isReadOnly = true;
             lock (m_lock)

@@ -37,7 +37,7 @@ namespace FastPoints.Store
 
         /// <summary>Whether its file cannot be read, so that nodes outside the cache are holes.</summary>
         public bool IsBroken;
-        public HierarchyPageStatus Status;
+        internal HierarchyPageStatus Status;
 
         public bool IsLoaded => Status == HierarchyPageStatus.Loaded;
 
@@ -83,7 +83,7 @@ namespace FastPoints.Store
     }
 
     /// <summary>Whether a page of a hierarchy is in memory.</summary>
-    public enum HierarchyPageStatus : byte
+    internal enum HierarchyPageStatus : byte
     {
         Absent,
         /// <summary>Its table is being read.</summary>

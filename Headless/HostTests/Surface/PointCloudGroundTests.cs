@@ -1,0 +1,153 @@
+using FastPoints.Surface;
+using Unity.Physics;
+using Unity.Physics.Systems;
+using Collider = Unity.Physics.Collider;
+
+namespace FastPoints.HostTests.Surface;
+
+/// <summary>The cloud of <see cref="PointCloudColliderTests"/>, in a world of entities.</summary>
+public sealed class PointCloudGroundTests : ScratchTests
+{
+    const float Voxel = 0.2f;
+
+    string m_path;
+    World m_world;
+    EntityManager m_entities;
+    Entity m_cloud, m_player;
+
+    [OneTimeSetUp]
+    public void MakeCloud() => m_path = PointCloudColliderTests.Convert(Scratch["ground.fastpoints"]);
+
+    [SetUp]
+    public void MakeWorld()
+    {
+        UnsafeUtility.ForgiveLeaks();
+        m_world = new World("physics");
+        DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(FixedStepSimulationSystemGroup),
+            typeof(PhysicsSystemGroup), typeof(BeforePhysicsSystemGroup), typeof(MakeGroundSystem));
+        m_entities = m_world.EntityManager;
+        m_cloud = m_entities.CreateEntity(typeof(LocalToWorld), typeof(PointCloudFile));
+        Place(m_cloud, float4x4.Translate(default));
+        new PointCloudPaths { Path = m_path }.WriteTo(m_entities.AddBuffer<PointCloudPathByte>(m_cloud));
+        var ground = PointCloudGround.Default;
+        (ground.Radius, ground.VoxelSize, ground.HoleSize, ground.StepMs, ground.CacheMegabytes) = (4, Voxel, 0.6f, 4, 0);
+        m_entities.AddComponentData(m_cloud, ground);
+        m_player = m_entities.CreateEntity(typeof(LocalToWorld), typeof(PointCloudGround.Followed));
+    }
+
+    [TearDown]
+    public void EndWorld()
+    {
+        m_world.Dispose();
+        Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero, "colliders are left");
+    }
+
+    void Place(Entity entity, float4x4 at) => m_entities.SetComponentData(entity, new LocalToWorld { Value = at });
+
+    void Put(float x)
+    {
+        var place = new float3(x, 1, 0);
+        Place(m_player, float4x4.Translate(place));
+        var watch = System.Diagnostics.Stopwatch.StartNew();
+        do
+        {
+            m_world.Update();
+            Thread.Yield();
+        }
+        while (!PointCloudGround.IsReady(m_world, m_cloud, place, 1) && watch.ElapsedMilliseconds < 10_000);
+        Assert.That(PointCloudGround.IsReady(m_world, m_cloud, place, 1), Is.True);
+    }
+
+    Entity[] Bodies()
+    {
+        using var query = m_entities.CreateEntityQuery(typeof(PhysicsCollider), typeof(PhysicsWorldIndex),
+            typeof(LocalToWorld));
+        using var bodies = query.ToEntityArray(Allocator.Temp);
+        return bodies.ToArray();
+    }
+
+    unsafe List<(float3 A, float3 B, float3 C)> Triangles()
+    {
+        var all = new List<(float3 A, float3 B, float3 C)>();
+        foreach (var body in Bodies())
+        {
+            var collider = (Collider*)m_entities.GetComponentData<PhysicsCollider>(body).Value.GetUnsafePtr();
+            var at = m_entities.GetComponentData<LocalToWorld>(body).Value.c3.xyz;
+            var vertices = (float3*)(collider + 1);
+            foreach (int3 t in new ReadOnlySpan<int3>(vertices + collider->Vertices, collider->Triangles))
+                all.Add((at + vertices[t.x], at + vertices[t.y], at + vertices[t.z]));
+        }
+        return all;
+    }
+
+    [Test]
+    public void OnUpdate_SomethingFollowed_HasBodiesNearItOfTheCloudsGround()
+    {
+        Put(-12);
+        var triangles = Triangles();
+        Assert.That(triangles.Select(t => (double)t.A.y), Is.All.EqualTo(0).Within(0.75 * Voxel)
+            .Or.EqualTo(1).Within(0.75 * Voxel));
+        Assert.That(triangles.Any(t => math.lengthsq(t.A - new float3(-12, t.A.y, 0)) < 4 * Voxel * Voxel), Is.True, "underfoot");
+        Assert.That(triangles.Max(t => t.A.x), Is.LessThan(16));
+        // Fronts of the tops are clockwise from above, as PhysX's.
+        float middle = triangles.Average(t => t.A.y);
+        Assert.That(triangles.Sum(t => math.min(math.min(t.A.y, t.B.y), t.C.y) > middle
+            ? math.cross(t.B - t.A, t.C - t.A).y : 0), Is.Positive);
+        Assert.That(PointCloudGround.IsReady(m_world, m_cloud, new float3(28, 1, 0)), Is.False);
+    }
+
+    [Test]
+    public void OnUpdate_WhatIsFollowedMovesOn_DropsBodiesAndFreesTheirCollidersLater()
+    {
+        var ground = m_entities.GetComponentData<PointCloudGround>(m_cloud);
+        ground.MaxCells = 8;
+        m_entities.SetComponentData(m_cloud, ground);
+        for (float x = -28; x <= 28; x += 4)
+            Put(x);
+        Assert.That(Bodies(), Is.Not.Empty.And.Length.LessThanOrEqualTo(8));
+        Assert.That(Triangles().Min(t => t.A.x), Is.GreaterThan(-17));
+        for (int step = 0; step < 20; step++)
+            m_world.Update();
+        // Of those that are left, and of the builder, no more than before: whoever frees one too early or twice throws.
+        m_entities.DestroyEntity(m_cloud);
+        m_world.Update();
+        Assert.That(Bodies(), Is.Empty);
+    }
+
+    [Test]
+    public void OnUpdate_CloudMovedThenTurnedAndStretched_HasItsGroundThere()
+    {
+        Put(-12);
+        Place(m_cloud, float4x4.Translate(new float3(0, 5, 0)));
+        m_world.Update();
+        Assert.That(Triangles().Select(t => (double)t.A.y), Is.All.GreaterThan(4.5));
+        // East becomes up, twice as long.
+        Place(m_cloud, new float4x4(new float4(0, 2, 0, 0), new float4(-1, 0, 0, 0), new float4(0, 0, 1, 0),
+            new float4(0, 24, 0, 1)));
+        m_world.Update();
+        Put(0);
+        Assert.That(Triangles().Any(t => math.abs(t.A.x) < 2 * Voxel && math.abs(t.A.y - 1) < 2 * Voxel), Is.True);
+        Assert.That(Triangles().Select(t => (double)t.A.x), Is.All.InRange(-1.5, 0.5));
+    }
+
+    [Test]
+    public void OnUpdate_NoCloudAtThePath_SaysSoOnce()
+    {
+        var logged = new List<string>();
+        UnityEngine.Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
+        new PointCloudPaths { Path = Scratch["absent.fastpoints"] }.WriteTo(m_entities.GetBuffer<PointCloudPathByte>(m_cloud));
+        try
+        {
+            Assert.That(() =>
+            {
+                m_world.Update();
+                return logged.Count;
+            }, Is.EqualTo(1).After(10_000, 1));
+            Assert.That(logged[0], Does.Contain("absent.fastpoints"));
+        }
+        finally
+        {
+            UnityEngine.Debug.s_sink = null;
+        }
+    }
+}

@@ -1,0 +1,173 @@
+#if FASTPOINTS_DOTS_PHYSICS
+using System;
+using System.Collections.Generic;
+using FastPoints.Drawing;
+using FastPoints.Entities;
+using FastPoints.Store;
+using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Entities;
+using Unity.Mathematics;
+using Unity.Physics;
+using Unity.Physics.Systems;
+using Unity.Transforms;
+
+namespace FastPoints.Surface
+{
+    /// <summary>Ground and walls of a converted cloud for com.unity.physics, near entities with <see cref="Followed"/>: on the entity
+    /// of a cloud, beside its PointCloudFile. Bodies come and go as the colliders of PointCloudCollider do; a cloud that is turned
+    /// or scaled is made anew. Begin with <see cref="Default"/>.</summary>
+    public struct PointCloudGround : IComponentData
+    {
+        /// <summary>What moves, with a LocalToWorld: there are bodies around it, and nowhere else.</summary>
+        public struct Followed : IComponentData { }
+
+        public float Radius;
+        public float VoxelSize;
+        public float HoleSize;
+        public ClassMask HiddenClasses;
+        public int MaxCells;
+        public int MaxTriangles;
+        public int CacheMegabytes;
+
+        /// <summary>Time of the main thread in each step of physics, in ms, while cells are made.</summary>
+        public float StepMs;
+
+        public static PointCloudGround Default => new PointCloudGround
+        {
+            Radius = 10,
+            VoxelSize = 0.1f,
+            HoleSize = 0.3f,
+            MaxCells = 256,
+            MaxTriangles = 1_000_000,
+            CacheMegabytes = 256,
+            StepMs = 0.5f,
+        };
+
+        /// <summary>Whether the cells of a cloud around a position of the world are made, with ground in them or
+        /// without.</summary>
+        public static bool IsReady(World world, Entity cloud, float3 position, float reach = 2) =>
+            world.GetExistingSystemManaged<MakeGroundSystem>()?.IsReady(cloud, position, reach) == true;
+    }
+
+    /// <summary>Makes and frees the bodies of each <see cref="PointCloudGround"/>, before a step of physics sees them.</summary>
+    [UpdateInGroup(typeof(BeforePhysicsSystemGroup))]
+    internal partial class MakeGroundSystem : SystemBase
+    {
+        const int StepsToFree = 8; // Custom physics worlds have steps of their own in each step.
+
+        readonly Dictionary<Entity, GroundOfCloud> m_all = new Dictionary<Entity, GroundOfCloud>();
+        readonly List<Entity> m_removed = new List<Entity>();
+        readonly List<double3> m_near = new List<double3>();
+        readonly Queue<(long Step, BlobAssetReference<Collider> Collider)> m_unused =
+            new Queue<(long Step, BlobAssetReference<Collider> Collider)>();
+        EntityQuery m_clouds, m_followed;
+        long m_step;
+
+        /// <summary>The physics world has a collider until it is built again, and queries read it.</summary>
+        public void FreeLater(BlobAssetReference<Collider> collider) => m_unused.Enqueue((m_step, collider));
+
+        public bool IsReady(Entity cloud, float3 position, float reach) => m_all.TryGetValue(cloud, out var ground) &&
+            ground.Updates.Surface != null && ground.Updates.Surface.IsReady(position, reach);
+
+        protected override void OnCreate()
+        {
+            m_clouds = GetEntityQuery(ComponentType.ReadOnly<PointCloudGround>(), ComponentType.ReadOnly<PointCloudFile>(),
+                ComponentType.ReadOnly<PointCloudPathByte>(), ComponentType.ReadOnly<LocalToWorld>());
+            m_followed = GetEntityQuery(ComponentType.ReadOnly<PointCloudGround.Followed>(),
+                ComponentType.ReadOnly<LocalToWorld>());
+        }
+
+        protected override void OnUpdate()
+        {
+            for (m_step++; m_unused.Count > 0 && m_unused.Peek().Step < m_step - StepsToFree;)
+                m_unused.Dequeue().Collider.Dispose();
+            if (m_all.Count == 0 && m_clouds.IsEmpty)
+                return;
+            m_near.Clear();
+            using (var places = m_followed.ToComponentDataArray<LocalToWorld>(Allocator.Temp))
+                foreach (var place in places)
+                    m_near.Add(place.Value.c3.xyz);
+            using var clouds = m_clouds.ToEntityArray(Allocator.Temp);
+            foreach (var cloud in clouds)
+            {
+                if (!m_all.TryGetValue(cloud, out var ground))
+                    m_all.Add(cloud, ground = new GroundOfCloud(this, cloud));
+                ground.LastStep = m_step;
+                ground.Update(m_near);
+            }
+            foreach (var (cloud, ground) in m_all)
+                if (ground.LastStep != m_step)
+                    m_removed.Add(cloud);
+            foreach (var cloud in m_removed)
+                if (m_all.Remove(cloud, out var ground))
+                    ground.Updates.Reopen();
+            m_removed.Clear();
+        }
+
+        protected override void OnDestroy()
+        {
+            foreach (var ground in m_all.Values)
+                ground.Updates.Reopen();
+            m_all.Clear();
+            while (m_unused.Count > 0)
+                m_unused.Dequeue().Collider.Dispose();
+        }
+    }
+
+    sealed class GroundOfCloud
+    {
+        readonly MakeGroundSystem m_system;
+        readonly Entity m_cloud;
+        byte[] m_paths = new byte[0];
+        PointCloudGround m_ground;
+        List<double3> m_near;
+
+        public GroundOfCloud(MakeGroundSystem system, Entity cloud)
+        {
+            (m_system, m_cloud) = (system, cloud);
+            Updates = new SurfaceUpdates(() => PointCloudPaths.Of(m_paths).FullPath, Make, Follow);
+        }
+
+        public SurfaceUpdates Updates { get; }
+        public long LastStep;
+
+        public void Update(List<double3> near)
+        {
+            var paths = PointCloudPaths.BytesOf(m_system.EntityManager.GetBuffer<PointCloudPathByte>(m_cloud, true));
+            if (!paths.SequenceEqual(m_paths))
+            {
+                Updates.Reopen();
+                m_paths = paths.ToArray();
+            }
+            (m_near, m_ground) = (near, m_system.EntityManager.GetComponentData<PointCloudGround>(m_cloud));
+            Updates.Update("a cloud", m_ground.CacheMegabytes, m_ground.StepMs);
+        }
+
+        SurfaceColliders Make(OpenedSurface opened)
+        {
+            var (space, toWorld) = SpaceOf(opened.Folder.Manifest);
+            return new BodyColliders(opened, m_ground, space, toWorld, m_system);
+        }
+
+        bool Follow(SurfaceColliders surface)
+        {
+            var (space, toWorld) = SpaceOf(surface.Manifest);
+            if (!((BodyColliders)surface).IsMadeBy(m_ground, space, toWorld))
+                return false;
+            (surface.Cells.MaxCells, surface.Cells.MaxTriangles) = (m_ground.MaxCells, m_ground.MaxTriangles);
+            surface.Follow(space, toWorld, m_near, m_ground.Radius);
+            return true;
+        }
+
+        (UnitySpace Space, double4x4 ToWorld) SpaceOf(CloudManifest manifest)
+        {
+            var entities = m_system.EntityManager;
+            var space = entities.HasComponent<PointCloudSpace>(m_cloud)
+                ? entities.GetComponentData<PointCloudSpace>(m_cloud).Value
+                : entities.GetComponentData<PointCloudFile>(m_cloud).SpaceOf(manifest.BoundsGeo, manifest.Crs.Units);
+            return (space, new double4x4(entities.GetComponentData<LocalToWorld>(m_cloud).Value));
+        }
+    }
+}
+#endif

@@ -1,0 +1,40 @@
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Entities;
+using Unity.Mathematics;
+
+namespace Unity.Physics;
+
+/// <summary>As in the package, a header: what it is made of follows in memory.</summary>
+public unsafe struct Collider
+{
+    internal int Vertices;
+    internal int Triangles;
+}
+
+public unsafe struct MeshCollider
+{
+    public static BlobAssetReference<Collider> Create(NativeArray<float3> vertices, NativeArray<int3> triangles)
+    {
+        foreach (int3 triangle in triangles)
+            if (math.any(triangle < 0) || math.any(triangle >= vertices.Length))
+                throw new ArgumentException("Triangle indices out of range.", nameof(triangles));
+        var head = new Collider { Vertices = vertices.Length, Triangles = triangles.Length };
+        using var bytes = new NativeArray<byte>(sizeof(Collider) + 12 * (head.Vertices + head.Triangles), Allocator.Temp);
+        byte* at = (byte*)bytes.GetUnsafePtr();
+        *(Collider*)at = head;
+        UnsafeUtility.MemCpy(at + sizeof(Collider), vertices.GetUnsafeReadOnlyPtr(), 12L * head.Vertices);
+        UnsafeUtility.MemCpy(at + sizeof(Collider) + 12 * head.Vertices, triangles.GetUnsafeReadOnlyPtr(), 12L * head.Triangles);
+        return BlobAssetReference<Collider>.Create(at, bytes.Length);
+    }
+}
+
+public struct PhysicsCollider : IComponentData
+{
+    public BlobAssetReference<Collider> Value;
+}
+
+public struct PhysicsWorldIndex : ISharedComponentData
+{
+    public uint Value;
+}
