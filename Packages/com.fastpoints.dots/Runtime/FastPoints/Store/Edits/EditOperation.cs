@@ -103,10 +103,26 @@ namespace FastPoints.Store
         static double Dot(double3 at, Grid3 axis) => at.x * axis.X + at.y * axis.Y + at.z * axis.Z;
 
         // Whether it may change points in a box, as far as its shapes say.
-        public bool MayReach(EditShape box) =>
-            (Boxes.Count == 0 || Boxes.Exists(b => b.ReachOf(box) != EditReach.None)) &&
-            (Balls.Count == 0 || Balls.Exists(b => b.ReachOf(box) != EditReach.None)) &&
-            (!Prism.IsUsed || Prism.TryProject(box, out _));
+        public bool MayReach(in EditShape box) => MayReach(Boxes, box) && MayReach(Balls, box) && MaySee(box);
+
+        public bool MaySee(in EditShape box) => !Prism.IsUsed || Prism.TryProject(box, out _);
+
+        public static bool MayReach(List<EditShape> shapes, in EditShape box)
+        {
+            bool isReached = shapes.Count == 0;
+            for (int i = 0; i < shapes.Count && !isReached; i++)
+                isReached = shapes[i].ReachOf(box) != EditReach.None;
+            return isReached;
+        }
+
+        // Whether there are none, or one holds a box.
+        public static bool Hold(List<EditShape> shapes, in EditShape box)
+        {
+            bool isHeld = shapes.Count == 0;
+            for (int i = 0; i < shapes.Count && !isHeld; i++)
+                isHeld = shapes[i].ReachOf(box) == EditReach.All;
+            return isHeld;
+        }
 
         // What is wrong with it, or null.
         public string FindProblem()

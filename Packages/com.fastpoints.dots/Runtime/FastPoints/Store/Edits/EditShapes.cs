@@ -47,19 +47,26 @@ namespace FastPoints.Store
             return ball;
         }
 
-        // The smallest box around shapes; everything if there are none.
-        public static EditShape Around(List<EditShape> shapes)
+        public static EditShape Of(GridCube cube)
         {
-            var far = new Grid3(EditOperation.MaxCoordinate, EditOperation.MaxCoordinate, EditOperation.MaxCoordinate);
-            var all = shapes.Count > 0 ? new EditShape { A = far, B = default(Grid3) - far }
-                : new EditShape { A = default(Grid3) - far, B = far };
-            foreach (var shape in shapes)
-            {
-                all.A = Grid3.Min(all.A, shape.IsBall ? shape.A - shape.B : shape.A);
-                all.B = Grid3.Max(all.B, shape.IsBall ? shape.A + shape.B : shape.B);
-            }
-            return all;
+            long last = cube.Side - 1;
+            return new EditShape { A = cube.Corner, B = cube.Corner + new Grid3(last, last, last) };
         }
+
+        // Around a node's own points, without those of its inlined leaves.
+        public static EditShape OfPoints(in NodeRecord node)
+        {
+            int shift = node.BoundsShift;
+            return new EditShape
+            {
+                A = node.Corner + new Grid3((long)node.MinX << shift, (long)node.MinY << shift, (long)node.MinZ << shift),
+                B = node.Corner + new Grid3(LastOf(node.MaxX, shift), LastOf(node.MaxY, shift), LastOf(node.MaxZ, shift)),
+            };
+        }
+
+        static long LastOf(uint max, int shift) => (max + 1L << shift) - 1;
+
+        public readonly EditShape Bounds => IsBall ? new EditShape { A = A - B, B = A + B } : this;
 
         public static Grid3 GridOf(double3 steps)
         {
