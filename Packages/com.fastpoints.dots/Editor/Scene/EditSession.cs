@@ -117,6 +117,10 @@ namespace FastPoints.Editor
             Note = pick.Failure;
             if (pick.Point == null || m_stroke.Count > 0 && m_stroke[0].Path != pick.Path)
                 return pick.Failure != null;
+            // What hardly moved would only make the stroke longer.
+            if (m_stroke.Count > 0 && math.distance(m_stroke[m_stroke.Count - 1].Point.PositionWorld, pick.Point.PositionWorld) <
+                Radius / 16)
+                return false;
             m_stroke.Add(pick);
             return true;
         }

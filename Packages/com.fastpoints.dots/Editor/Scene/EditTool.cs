@@ -9,16 +9,15 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The Scene view's tool <em>Edit points</em>: a brush, dragged over points, a box around them, or a lasso around what
-    /// the camera sees of the selected cloud, deletes, hides, classifies or colours points of converted clouds. Escape drops a
-    /// stroke or a lasso.</summary>
+    /// <summary>The Scene view's tool <em>Edit points</em>: a brush, dragged over points, a box around them, or a lasso around
+    /// what the camera sees of the selected cloud, deletes, hides, classifies or colours points of converted clouds. Escape drops
+    /// a stroke or a lasso.</summary>
     [EditorTool("Edit points")]
     internal sealed class EditTool : PointTool<EditSession>
     {
         const int Brush = 0;
         const int Box = 1;
         const int Lasso = 2;
-        const float LineHeight = 22;
 
         static readonly string[] s_shapes = { "Brush", "Box", "Lasso" };
         static readonly string[] s_actions = { "Hide", "Delete", "Classify", "Colour" };
@@ -63,9 +62,8 @@ namespace FastPoints.Editor
         // Null rather than one that Unity has destroyed.
         static PointCloud Selected => SceneExport.Selected != null ? SceneExport.Selected : null;
 
-        protected override void DrawMarks(Camera camera)
+        protected override void DrawMarks(Vector3 toCamera)
         {
-            var toCamera = -(Vector3)camera.worldToCameraMatrix.GetRow(2);
             foreach (var pick in Session.Stroke)
                 Handles.DrawWireDisc(ToVector(pick.Point.PositionWorld), toCamera, Session.Radius);
             for (int i = 0; i < Session.Lasso.Count; i++)
@@ -74,9 +72,9 @@ namespace FastPoints.Editor
 
         static Vector3 BeforeCamera(in PointQuery ray) => ToVector(ray.OriginWorld + ray.DirectionWorld * (2 * ray.From + 1));
 
-        void DrawBox()
+        protected override void DrawHandles()
         {
-            var cloud = Selected;
+            var cloud = m_shape == Box ? Selected : null;
             if (cloud == null)
                 return;
             if (m_boxed != cloud && cloud.TryGetLocalBounds(out var bounds))
@@ -90,8 +88,6 @@ namespace FastPoints.Editor
 
         protected override void DrawPanel()
         {
-            Handles.BeginGUI();
-            GUILayout.BeginArea(new Rect(50, 10, 300, 5 * LineHeight));
             m_shape = Choose(s_shapes, m_shape);
             Session.Action = (EditAction)Choose(s_actions, (int)Session.Action);
             Session.Class = (byte)math.clamp(EditorGUILayout.IntField("Class", Session.Class), 0, byte.MaxValue);
@@ -102,10 +98,6 @@ namespace FastPoints.Editor
                 Session.ApplyBox(cloud, new Bounds(m_box.center, m_box.size));
             GUILayout.Label(CloudEdits.IsBusy ? "editing" : Session.Note ??
                 (m_shape != Brush && Selected == null ? "select a point cloud" : ""));
-            GUILayout.EndArea();
-            Handles.EndGUI();
-            if (m_shape == Box)
-                DrawBox();
         }
 
         static int Choose(string[] names, int chosen)

@@ -10,8 +10,6 @@ namespace FastPoints.Editor
     [EditorTool("Measure points")]
     internal sealed class MeasureTool : PointTool<MeasureSession>
     {
-        const float LineHeight = 18;
-
         protected override bool Advance(double budgetMs) => Session.Update(budgetMs);
 
         protected override void Press(PointQuery ray) => Session.Begin(ray);
@@ -23,9 +21,8 @@ namespace FastPoints.Editor
             return isShown;
         }
 
-        protected override void DrawMarks(Camera camera)
+        protected override void DrawMarks(Vector3 toCamera)
         {
-            var toCamera = -(Vector3)camera.worldToCameraMatrix.GetRow(2);
             for (int i = 0; i < Session.Picks.Count; i++)
             {
                 var position = PositionOf(i);
@@ -38,16 +35,10 @@ namespace FastPoints.Editor
 
         protected override void DrawPanel()
         {
-            if (Session.Lines.Count == 0)
-                return;
-            Handles.BeginGUI();
-            GUILayout.BeginArea(new Rect(50, 10, 480, (Session.Lines.Count + 2) * LineHeight));
             foreach (string line in Session.Lines)
                 GUILayout.Label(line);
-            if (GUILayout.Button("Copy"))
+            if (Session.Lines.Count > 0 && GUILayout.Button("Copy"))
                 GUIUtility.systemCopyBuffer = Session.Text;
-            GUILayout.EndArea();
-            Handles.EndGUI();
         }
 
         Vector3 PositionOf(int pick) => ToVector(Session.PositionOf(pick));

@@ -39,7 +39,12 @@ namespace FastPoints.Editor
                 return;
             int control = GUIUtility.GetControlID(FocusType.Passive);
             // It comes before clicks are taken, so that a click on a button stays its own.
+            Handles.BeginGUI();
+            GUILayout.BeginArea(new Rect(50, 10, 480, view.camera.pixelHeight));
             DrawPanel();
+            GUILayout.EndArea();
+            Handles.EndGUI();
+            DrawHandles();
             if (!TakesClicks)
                 return;
             var current = Event.current;
@@ -67,7 +72,7 @@ namespace FastPoints.Editor
                     current.Use();
                     break;
                 case EventType.Repaint:
-                    DrawMarks(view.camera);
+                    DrawMarks(-(Vector3)view.camera.worldToCameraMatrix.GetRow(2));
                     break;
             }
         }
@@ -83,7 +88,9 @@ namespace FastPoints.Editor
 
         protected abstract void DrawPanel();
 
-        protected abstract void DrawMarks(Camera camera);
+        protected virtual void DrawHandles() { }
+
+        protected abstract void DrawMarks(Vector3 toCamera);
 
         protected abstract void Press(PointQuery ray);
 

@@ -25,12 +25,10 @@ namespace FastPoints.Export
                 yield return JobStep.Of(PoolTask.Run(cloud, () => OpenAndChoose(cloud, operation, ranges),
                     opened => reader = opened, unwanted => unwanted.DisposeUnread()));
                 long known = operation.PointsChanged;
-                int longest = 1;
-                foreach (var range in ranges)
-                    longest = Math.Max(longest, range.Count);
                 progress?.Begin("count");
                 var wanted = reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
-                yield return JobStep.Of(SourceScan.Run(ScanRanges.Of(reader, ranges, longest), wanted, new Nobody(),
+                var scanned = ScanRanges.Of(reader, ranges, Math.Max(1, reader.MaxPointsPerBlock));
+                yield return JobStep.Of(SourceScan.Run(scanned, wanted, new Nobody(),
                     SourceScan.LimitFor(reader, wanted, 0, SourceScan.MaxSlotBytes, 0, () => 0), 0, progress));
                 progress?.End();
                 operation.PointsChanged = known + reader.Edits.PointsChanged[^1];
@@ -45,19 +43,18 @@ namespace FastPoints.Export
             }
         }
 
-        // What has to be looked at: all points of other nodes are changed, which are counted, or none.
+        // Lists what has to be looked at: all points of other nodes are changed, which are counted, or none.
         static ConvertedReader OpenAndChoose(string cloud, EditOperation operation, List<BlockRange> ranges)
         {
             var reader = ConvertedReader.OpenEdited(cloud, operation);
             operation.PointsChanged = 0;
             for (int block = 0; block < reader.BlockCount; block++)
             {
-                var node = reader.NodeOf(block);
-                int points = reader.PointsInBlock(block);
-                if (reader.Edits.ChangesAll(node))
-                    operation.PointsChanged += points;
-                else if (reader.Edits.MayReach(node.Cube))
-                    ranges.Add(new BlockRange(block, 0, points));
+                var reach = reader.Edits.ReachOf(reader.NodeOf(block));
+                if (reach == EditReach.All)
+                    operation.PointsChanged += reader.PointsInBlock(block);
+                else if (reach == EditReach.Some)
+                    ranges.Add(new BlockRange(block, 0, reader.PointsInBlock(block)));
             }
             return reader;
         }

@@ -30,15 +30,6 @@ namespace FastPoints.Export
             Edit(cloud, new EditOperation { Action = EditAction.Delete },
                 (o, grid) => o.SetLasso(grid, new double4(eye, 1), corners), done);
 
-        /// <summary>Gives the points that an eye sees through a polygon a class, as if nothing hid them.</summary>
-        /// <param name="eye">Georeferenced, in CRS units, as all positions; far away for a parallel view.</param>
-        /// <param name="corners">A position on the ray through each corner.</param>
-        /// <param name="done">Receives how many points had another.</param>
-        public static IEnumerator<JobStep> ClassifySeen(string cloud, double3 eye, double3[] corners, byte classification,
-            Action<long> done) =>
-            Edit(cloud, new EditOperation { Action = EditAction.Classify, Value = new[] { classification } },
-                (o, grid) => o.SetLasso(grid, new double4(eye, 1), corners), done);
-
         /// <summary>Undoes the last edit.</summary>
         /// <param name="done">Receives whether there was one.</param>
         public static IEnumerator<JobStep> Undo(string cloud, Action<bool> done) => PoolTask.Run(cloud, () =>

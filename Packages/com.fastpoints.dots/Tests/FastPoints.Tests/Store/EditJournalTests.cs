@@ -207,7 +207,8 @@ namespace FastPoints.Tests.Store
          TestCase("\"value\": []", "\"lasso\": 1"),
          TestCase("Intensity", "="), TestCase("\"a\": [1, 2, 3]", "\"a\": [1, 2]"), TestCase("[4, 4, 4]", "[4, 4, -4]"),
          TestCase("[4, 4, 4]", "[4, 4, 2000000]"), TestCase("[1, 2, 3]", "[1, 2, 9223372036854775807]"),
-         TestCase("\"prism\"", "\"pyramid\""), TestCase("\"pointsChanged\": 5,", ""), TestCase("\"at\": [", "\"at\": [7,"), TestCase("{", "[")]
+         TestCase("\"prism\"", "\"pyramid\""),
+         TestCase("\"pointsChanged\": 5,", ""), TestCase("\"at\": [", "\"at\": [7,"), TestCase("{", "[")]
         public void FromJson_OfWhatIsNoOperation_IsAnError(string part, string other)
         {
             var operation = new EditOperation { PointsChanged = 5 };
@@ -238,53 +239,12 @@ namespace FastPoints.Tests.Store
                 Assert.That(sum.CompareTo(Signed128.Product(d, c)), Is.EqualTo(wanted.CompareTo(second)));
                 long clamped = (long)BigInteger.Max(-5, BigInteger.Min(long.MaxValue - 1, wanted));
                 Assert.That(sum.Clamp(-5, long.MaxValue - 1), Is.EqualTo(clamped));
-                long factor = b >> 32;
-                var most = BigInteger.Abs(factor * second);
-                if (most < BigInteger.One << 126)
-                    Assert.That(Signed128.Product(c, d).Times(factor).CompareTo(sum),
-                        Is.EqualTo((factor * second).CompareTo(wanted)));
                 if (second <= 0 || second >> 90 > 0)
                     continue;
                 var quotient = BigInteger.Divide(wanted, second) - (wanted < 0 && !(wanted % second).IsZero ? 1 : 0);
                 Assert.That(sum.Over(Signed128.Product(c, d), -(1L << 31), 1L << 31),
                     Is.EqualTo((long)BigInteger.Max(-(1L << 31), BigInteger.Min(1L << 31, quotient))));
             }
-        }
-
-        [TestCase(1), TestCase(40), TestCase(3000)]
-        public void Reaches_OfManyOperations_AreThoseOfEach(int shapes)
-        {
-            var random = new System.Random(shapes);
-            Grid3 Any(int most) => new Grid3(random.Next(most), random.Next(most), random.Next(most));
-            var operations = new List<EditOperation>();
-            for (int left = shapes; left > 0;)
-            {
-                var operation = new EditOperation();
-                for (int i = random.Next(3); i > 0; i--, left--)
-                {
-                    var a = Any(100000);
-                    operation.Boxes.Add(new EditShape { A = a, B = a + Any(3000) });
-                }
-                for (int i = random.Next(9); i > 0 && random.Next(2) == 0; i--, left--)
-                    operation.Balls.Add(new EditShape { A = Any(100000), B = new Grid3(999, 999, 999), IsBall = true });
-                (operation.Prism.U, operation.Prism.V) = (new Grid3(1, 0, 0), new Grid3(0, 1, 1));
-                long u = random.Next(100000), v = random.Next(200000);
-                operation.AddRing(0, new[] { u, v, u + 2000, v, u, v + 2000 });
-                operations.Add(operation);
-            }
-            var reaches = new EditReaches(operations);
-            int reached = 0;
-            for (int i = 0; i < 1000; i++)
-            {
-                var box = new EditShape { A = Any(100000) };
-                box.B = box.A + Any(40);
-                int tries = int.MaxValue, none = 0;
-                bool isReached = reaches.Any(box, ref tries);
-                Assert.That(isReached, Is.EqualTo(operations.Exists(o => o.MayReach(box))));
-                Assert.That(reaches.Any(box, ref none), Is.True.Or.EqualTo(isReached));
-                reached += isReached ? 1 : 0;
-            }
-            Assert.That(reached, Is.GreaterThan(shapes > 1000 ? 100 : -1));
         }
 
         [Test]

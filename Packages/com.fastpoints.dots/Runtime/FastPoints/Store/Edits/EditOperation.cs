@@ -69,11 +69,8 @@ namespace FastPoints.Store
                 : new double3(1, 0, 0)));
             double3 from = isPyramid ? eye.xyz : corners[0];
             Prism.Origin = EditShape.GridOf(math.round((from - grid.Origin) / step));
-            double longest = 0, widest = 0;
-            foreach (var corner in corners)
-                longest = isPyramid ? 0 : math.max(longest, math.length((corner - from) / step));
-            double axis = math.min(MaxAxis / 2, MaxCoordinate / 4 / longest);
-            (Prism.U, Prism.V) = (AxisOf(right * step, axis), AxisOf(math.cross(right, forward) * step, axis));
+            (Prism.U, Prism.V) = (AxisOf(right * step, MaxAxis / 2), AxisOf(math.cross(right, forward) * step, MaxAxis / 2));
+            double widest = 0;
             var places = new double3[corners.Count]; // u, v and depth.
             for (int i = 0; i < places.Length; i++)
             {
@@ -90,7 +87,7 @@ namespace FastPoints.Store
                 double depth = isPyramid ? Dot((corners[i] - from) / step, Prism.W) / EditPrism.PlacesPerSlope : 1;
                 var place = places[i].xy / depth;
                 if (!(depth > 0) || !(math.cmax(math.abs(place)) < (isPyramid ? EditPrism.MaxPlace : MaxCoordinate)))
-                    return "a corner lies beside the eye, or behind it";
+                    return "a corner lies beside the eye or behind it, or too far away";
                 (vertices[2 * i], vertices[2 * i + 1]) = ((long)math.round(place.x), (long)math.round(place.y));
             }
             AddRing(0, vertices);
@@ -103,25 +100,18 @@ namespace FastPoints.Store
         static double Dot(double3 at, Grid3 axis) => at.x * axis.X + at.y * axis.Y + at.z * axis.Z;
 
         // Whether it may change points in a box, as far as its shapes say.
-        public bool MayReach(in EditShape box) => MayReach(Boxes, box) && MayReach(Balls, box) && MaySee(box);
+        public bool MayReach(in EditShape box) =>
+            Reach(Boxes, box, EditReach.Some) && Reach(Balls, box, EditReach.Some) && MaySee(box);
 
         public bool MaySee(in EditShape box) => !Prism.IsUsed || Prism.TryProject(box, out _);
 
-        public static bool MayReach(List<EditShape> shapes, in EditShape box)
+        // Whether any of the shapes holds as much of a box, if there are any.
+        public static bool Reach(List<EditShape> shapes, in EditShape box, EditReach least)
         {
             bool isReached = shapes.Count == 0;
             for (int i = 0; i < shapes.Count && !isReached; i++)
-                isReached = shapes[i].ReachOf(box) != EditReach.None;
+                isReached = shapes[i].ReachOf(box) >= least;
             return isReached;
-        }
-
-        // Whether there are none, or one holds a box.
-        public static bool Hold(List<EditShape> shapes, in EditShape box)
-        {
-            bool isHeld = shapes.Count == 0;
-            for (int i = 0; i < shapes.Count && !isHeld; i++)
-                isHeld = shapes[i].ReachOf(box) == EditReach.All;
-            return isHeld;
         }
 
         // What is wrong with it, or null.
@@ -138,10 +128,11 @@ namespace FastPoints.Store
                     return "a ball is too far away, or its radius is: wanted " + NumberText.Of(min) + " to " +
                         NumberText.Of(max) + " steps, got " + ball.B;
             }
-            long most = Prism.IsPyramid ? EditPrism.MaxPlace : MaxCoordinate;
+            long farthest = Prism.IsPyramid ? EditPrism.MaxPlace : MaxCoordinate;
             return !Prism.IsUsed || IsWithin(Prism.Origin, MaxCoordinate) && IsWithin(Prism.U, MaxAxis) &&
-                IsWithin(Prism.V, MaxAxis) && IsWithin(Prism.W, MaxAxis) && IsWithin(new Grid3(Prism.MaxV, 0, 0), most) &&
-                IsWithin(new Grid3(Prism.MinU, Prism.MinV, Prism.MaxU), most) ? null : "a polygon is too far away or too large";
+                IsWithin(Prism.V, MaxAxis) && IsWithin(Prism.W, MaxAxis) && IsWithin(new Grid3(Prism.MaxV, 0, 0), farthest) &&
+                IsWithin(new Grid3(Prism.MinU, Prism.MinV, Prism.MaxU), farthest) ? null
+                : "a polygon is too far away or too large";
         }
 
         static bool IsWithin(Grid3 position, long max)

@@ -67,20 +67,20 @@ namespace FastPoints.Store
 
         public EditReaches Reaches { get; }
 
-        // Whether the last operation may change points of a cube.
-        public bool MayReach(GridCube cube) => Operations[Operations.Count - 1].MayReach(EditShape.Of(cube));
-
-        // Whether the last operation surely changes all points of a node and its inlined leaves.
-        public bool ChangesAll(in NodeRecord node)
+        // How many points of a node and its inlined leaves the last operation surely changes: none or all, or perhaps some.
+        public EditReach ReachOf(in NodeRecord node)
         {
             var last = Operations[Operations.Count - 1];
+            if (!last.MayReach(EditShape.Of(node.Cube)))
+                return EditReach.None;
             if (last.ChangedAttributes.Length > 0 || last.Conditions.Count > 0 || last.Prism.IsUsed)
-                return false;
+                return EditReach.Some;
             var box = node.PlaneBlocks == node.BlockCount ? EditShape.OfPoints(node) : EditShape.Of(node.Cube);
             (box.A, box.B) = (Grid3.Max(box.A, Manifest.BoundsMin), Grid3.Min(box.B, Manifest.BoundsMax));
             m_before ??= new EditReaches(new List<EditOperation>(Operations).GetRange(0, Operations.Count - 1));
             int tries = int.MaxValue;
-            return EditOperation.Hold(last.Boxes, box) && EditOperation.Hold(last.Balls, box) && !m_before.Any(box, ref tries);
+            return EditOperation.Reach(last.Boxes, box, EditReach.All) && EditOperation.Reach(last.Balls, box, EditReach.All) &&
+                !m_before.Any(box, ref tries) ? EditReach.All : EditReach.Some;
         }
 
         // What keeps an operation from being applied to a cloud, or null.
@@ -117,8 +117,8 @@ namespace FastPoints.Store
         }
     }
 
-    // Which boxes any of the operations may reach: a tree over the bounds of their balls, or else of their boxes. Those that have
-    // neither are tried one by one.
+    // Which boxes any of the operations may reach: a tree over the bounds of their balls, or else of their boxes, in the order in
+    // which they were drawn, where neighbours follow one another. Operations that have neither are tried one by one.
     internal sealed class EditReaches
     {
         const int LeafLength = 4;
@@ -165,7 +165,7 @@ namespace FastPoints.Store
             {
                 var (shape, of) = m_shapes[s];
                 if (shape.ReachOf(box) != EditReach.None && of.MaySee(box) &&
-                    (!shape.IsBall || EditOperation.MayReach(of.Boxes, box)))
+                    (!shape.IsBall || EditOperation.Reach(of.Boxes, box, EditReach.Some)))
                     return true;
             }
             return false;
@@ -180,20 +180,9 @@ namespace FastPoints.Store
                 (around.A, around.B) = (Grid3.Min(around.A, bounds.A), Grid3.Max(around.B, bounds.B));
             }
             m_bounds[node] = around;
-            if (to - from <= LeafLength)
-                return;
-            var size = around.B - around.A;
-            int axis = size.X >= math.max(size.Y, size.Z) ? 0 : size.Y >= size.Z ? 1 : 2;
-            Array.Sort(m_shapes, from, to - from, Comparer<(EditShape Shape, EditOperation)>.Create(
-                (a, b) => MiddleOf(a.Shape, axis).CompareTo(MiddleOf(b.Shape, axis))));
-            Build(2 * node + 1, from, (from + to) / 2);
-            Build(2 * node + 2, (from + to) / 2, to);
-        }
-
-        static long MiddleOf(in EditShape shape, int axis)
-        {
-            Grid3 a = shape.A, b = shape.IsBall ? shape.A : shape.B;
-            return axis == 0 ? a.X / 2 + b.X / 2 : axis == 1 ? a.Y / 2 + b.Y / 2 : a.Z / 2 + b.Z / 2;
+            int half = (from + to) / 2;
+            for (int child = 0; child < 2 && to - from > LeafLength; child++)
+                Build(2 * node + 1 + child, child == 0 ? from : half, child == 0 ? half : to);
         }
     }
 

@@ -56,15 +56,11 @@ namespace FastPoints.Store
         // Around a node's own points, without those of its inlined leaves.
         public static EditShape OfPoints(in NodeRecord node)
         {
-            int shift = node.BoundsShift;
-            return new EditShape
-            {
-                A = node.Corner + new Grid3((long)node.MinX << shift, (long)node.MinY << shift, (long)node.MinZ << shift),
-                B = node.Corner + new Grid3(LastOf(node.MaxX, shift), LastOf(node.MaxY, shift), LastOf(node.MaxZ, shift)),
-            };
+            int at = node.BoundsShift;
+            var end = new Grid3(node.MaxX + 1L << at, node.MaxY + 1L << at, node.MaxZ + 1L << at) - new Grid3(1, 1, 1);
+            var min = new Grid3((long)node.MinX << at, (long)node.MinY << at, (long)node.MinZ << at);
+            return new EditShape { A = node.Corner + min, B = node.Corner + end };
         }
-
-        static long LastOf(uint max, int shift) => (max + 1L << shift) - 1;
 
         public readonly EditShape Bounds => IsBall ? new EditShape { A = A - B, B = A + B } : this;
 

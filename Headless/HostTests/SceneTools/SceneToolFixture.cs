@@ -1,6 +1,7 @@
+using UnityEditor.EditorTools;
 using PointCloud = FastPoints.Entities.PointCloud;
 
-namespace FastPoints.HostTests.Editor;
+namespace FastPoints.HostTests.SceneTools;
 
 /// <summary>A turned cloud that is shown, for tools of the Scene view.</summary>
 public abstract class SceneToolFixture : ScratchTests
@@ -69,5 +70,25 @@ public abstract class SceneToolFixture : ScratchTests
         Assert.That(picker.Begin(ray), Is.True);
         Frames(() => picker.Update());
         return picker.Pick;
+    }
+
+    private protected static SceneView NewView()
+    {
+        var view = ScriptableObject.CreateInstance<SceneView>();
+        view.camera = new GameObject("camera").AddComponent<UnityEngine.Camera>();
+        view.camera.targetTexture = new RenderTexture(new RenderTextureDescriptor(100, 100));
+        view.camera.projectionMatrix = Matrix4x4.Perspective(60, 1, 0.1f, 1000);
+        return view;
+    }
+
+    private protected static void Send(EditorTool tool, SceneView view, Event sent)
+    {
+        // Unity's numbers of controls are the same from event to event.
+        int before = GUIUtility.LastControl;
+        GUILayoutUtility.Send(new Event { type = EventType.Layout }, () => tool.OnToolGUI(view));
+        GUIUtility.LastControl = before;
+        HandleUtility.nearestControl = GUIUtility.LastControl + 1;
+        GUILayoutUtility.Send(sent, () => tool.OnToolGUI(view));
+        GUIUtility.LastControl = before;
     }
 }

@@ -1,7 +1,7 @@
 using UnityEditor.SceneManagement;
 using PointCloud = FastPoints.Entities.PointCloud;
 
-namespace FastPoints.HostTests.Editor;
+namespace FastPoints.HostTests.SceneTools;
 
 public sealed class MeasureTests : SceneToolFixture
 {
@@ -236,18 +236,10 @@ public sealed class MeasureTests : SceneToolFixture
     [Test]
     public void MeasureTool_TwoClicks_ReportBothPointsAndTheDistance()
     {
-        var view = ScriptableObject.CreateInstance<SceneView>();
-        view.camera = new GameObject("camera").AddComponent<UnityEngine.Camera>();
-        view.camera.targetTexture = new RenderTexture(new RenderTextureDescriptor(100, 100));
-        view.camera.projectionMatrix = Matrix4x4.Perspective(60, 1, 0.1f, 1000);
+        var view = NewView();
         var tool = ScriptableObject.CreateInstance<MeasureTool>();
         tool.Activate();
-        void Send(Event sent)
-        {
-            GUILayoutUtility.Send(new Event { type = EventType.Layout }, () => tool.OnToolGUI(view));
-            HandleUtility.nearestControl = GUIUtility.LastControl + 1;
-            GUILayoutUtility.Send(sent, () => tool.OnToolGUI(view));
-        }
+        void Send(Event sent) => SceneToolFixture.Send(tool, view, sent);
         void Click(double east)
         {
             float3 eye;
