@@ -14,6 +14,12 @@ public sealed class EditVerb : Verb
         HelpName = "x,y,z,R",
         Description = "Only points in the sphere, or in any of several.",
     };
+    readonly Option<string?> m_lasso = new("--lasso")
+    {
+        HelpName = "x,y,z,...",
+        Description = "Only points that an eye, the first position, sees through the polygon of three or more others, as if "
+            + "nothing hid them.",
+    };
     readonly FilterSettings m_filter;
     readonly Option<bool> m_hide = new("--hide") { Description = "Do not show these points; export and convert keep them." };
     readonly Option<bool> m_delete = new("--delete") { Description = "Leave these points out from now on." };
@@ -38,6 +44,7 @@ public sealed class EditVerb : Verb
         int before = Command.Options.Count;
         Command.Add(m_clip);
         Command.Add(m_sphere);
+        Command.Add(m_lasso);
         m_filter = new FilterSettings(Command);
         m_choices = [.. Command.Options.Skip(before)];
     }
@@ -120,9 +127,22 @@ public sealed class EditVerb : Verb
         if (filter?.EveryNth > 1)
             throw new UsageException("--every-nth: an edit does not depend on the order of points");
         operation.Conditions.AddRange(filter?.Expressions ?? []);
+        if (parsed.GetValue(m_lasso) is { } lasso)
+            AddLasso(operation, grid, lasso, filter?.Polygons != null);
         AddPolygons(operation, filter?.Polygons, grid);
         return EditPlan.FindProblem(operation, reader.Manifest) is { } problem
             ? throw new PointCloudException(FailureCode.Unsupported, reader.Info.ShownPath, -1, problem) : operation;
+    }
+
+    static void AddLasso(EditOperation operation, CloudGrid grid, string lasso, bool hasPolygons)
+    {
+        if (hasPolygons)
+            throw new UsageException("--lasso: an edit has a lasso or polygons");
+        double[] of = PictureSettings.ParseNumbers(lasso);
+        var positions = Enumerable.Range(0, of.Length / 3).Select(i => new double3(of[3 * i], of[3 * i + 1], of[3 * i + 2]));
+        if (of.Length % 3 != 0 || of.Length == 0 ||
+            operation.SetLasso(grid, new double4(positions.First(), 1), positions.Skip(1).ToList()) is not null)
+            throw new UsageException("--lasso: wanted an eye and at least three positions around what it sees, got " + lasso);
     }
 
     /// <summary>As a prism along Z; vertices lie on the nearest part of the grid's steps.</summary>
@@ -202,7 +222,9 @@ public sealed class EditVerb : Verb
             parts.Add("in " + NumberFormat.Count(operation.Boxes.Count) + (operation.Boxes.Count == 1 ? " box" : " boxes"));
         if (operation.Balls.Count > 0)
             parts.Add("in " + NumberFormat.Count(operation.Balls.Count, "sphere"));
-        if (operation.Rings.Count > 0)
+        if (operation.Prism.IsPyramid)
+            parts.Add("in a lasso");
+        else if (operation.Rings.Count > 0)
             parts.Add("in polygons of " + NumberFormat.Count(operation.Rings.Count, "ring"));
         parts.AddRange(operation.Conditions.Select(c => "where " + c.Text));
         string what = string.Join(" ", operation.Name, string.Join(",", operation.Value)).TrimEnd();

@@ -61,6 +61,16 @@ public sealed class EditTests : ScratchTests
     }
 
     [Test]
+    public void Delete_InALasso_IsWhatAFarEyeSeesOfABox()
+    {
+        // From so far above, the lines of sight are parallel.
+        long matching = Exported("matching.las", "--clip", "441048,5611993,0,441068,5612009,1000");
+        Assert.That(Changed(Edit("--delete", "--lasso", "441058,5612001,1e9,441048,5611993,120,441068,5611993,120,"
+            + "441068,5612009,120,441048,5612009,120")), Is.EqualTo(matching).Within(30).And.InRange(1, Points - 1));
+        Assert.That(CliCall.Of("edit", m_cloud, "--list").Output, Does.Contain("in a lasso"));
+    }
+
+    [Test]
     public void Edit_OneAfterAnother_SeesWhatTheOneBeforeMade()
     {
         long moved = Changed(Edit("--classify", "77", "--where", "Classification == 2", "--sphere", "441058,5612001,120,8",
@@ -118,6 +128,7 @@ public sealed class EditTests : ScratchTests
     [TestCase("--delete"), TestCase("--list", "--clip", Box), TestCase("--delete", "--hide", "--clip", Box), TestCase,
      TestCase("--classify", "256", "--clip", Box), TestCase("--colour", "1,2", "--clip", Box),
      TestCase("--colour", "1,2,256", "--clip", Box), TestCase("--hide", "--sphere", "1,2,3"), TestCase("--redo"),
+     TestCase("--hide", "--lasso", "0,0,0,1,0,0,0,1,0"), TestCase("--hide", "--lasso", "0,0,0,1,0,0,-1,0,0,0,1,9"),
      TestCase("--hide", "--every-nth", "2"), TestCase("--hide", "--where", "NoSuch > 1"), TestCase("--hide", "--where", "Z >")]
     public void Edit_OfWhatCannotBe_IsWrongUsage(params string[] args)
     {

@@ -117,7 +117,7 @@ public class GUILayout
     public static bool Toggle(bool value, string text, params GUILayoutOption[] options)
     {
         GUILayoutUtility.Next();
-        return value;
+        return value != (text == Pressed);
     }
 
     public static bool Button(string text, params GUILayoutOption[] options)

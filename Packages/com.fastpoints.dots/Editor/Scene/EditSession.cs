@@ -28,6 +28,9 @@ namespace FastPoints.Editor
 
         public IReadOnlyList<StreamPick> Stroke => m_stroke;
 
+        /// <summary>The rays through its corners, all of one camera.</summary>
+        public List<PointQuery> Lasso { get; } = new List<PointQuery>();
+
         /// <summary>What is amiss; null if nothing is.</summary>
         public string Note { get; private set; }
 
@@ -71,14 +74,32 @@ namespace FastPoints.Editor
                 var sign = new Vector3((corner & 1) * 2 - 1, (corner & 2) - 1, (corner & 4) / 2 - 1);
                 var world = cloud.transform.localToWorldMatrix.MultiplyPoint3x4(
                     local.center + Vector3.Scale(local.size * 0.5f, sign));
-                var geo = shown.Source.Grid.ToGeo(shown.Source.Root.Corner) + math.mul(math.inverse(shown.Placement.Linear),
-                    new double3(world.x, world.y, world.z) - shown.Placement.OriginWorld);
+                var geo = GeoOf(shown, new double3(world.x, world.y, world.z));
                 (min, max) = (math.min(min, geo), math.max(max, geo));
             }
             var operation = NewOperation();
             operation.Boxes.Add(EditShape.Box(shown.Source.Grid, min, max));
             Begin(shown, operation);
         }
+
+        public void ApplyLasso(PointCloud cloud)
+        {
+            var shown = SceneExport.FindStreamed(cloud, out _);
+            if (Lasso.Count == 0 || !CanEdit(shown))
+                return;
+            double3 from = GeoOf(shown, Lasso[0].OriginWorld), along = GeoOf(shown, PositionOn(Lasso[0])) - from;
+            // Rays of an eye widen.
+            var eye = Lasso[0].RadiusPerUnit > 0 ? new double4(from, 1) : new double4(-along, 0);
+            var operation = NewOperation();
+            Note = operation.SetLasso(shown.Source.Grid, eye, Lasso.ConvertAll(ray => GeoOf(shown, PositionOn(ray))));
+            if (Note == null)
+                Begin(shown, operation);
+        }
+
+        static double3 PositionOn(PointQuery ray) => ray.OriginWorld + ray.DirectionWorld;
+
+        static double3 GeoOf(StreamedCloud shown, double3 world) => shown.Source.Grid.ToGeo(shown.Source.Root.Corner) +
+            math.mul(math.inverse(shown.Placement.Linear), world - shown.Placement.OriginWorld);
 
         public void Dispose() => m_picker.Dispose();
 
@@ -96,6 +117,10 @@ namespace FastPoints.Editor
             Note = pick.Failure;
             if (pick.Point == null || m_stroke.Count > 0 && m_stroke[0].Path != pick.Path)
                 return pick.Failure != null;
+            // What hardly moved would only make the stroke longer.
+            if (m_stroke.Count > 0 && math.distance(m_stroke[m_stroke.Count - 1].Point.PositionWorld, pick.Point.PositionWorld) <
+                Radius / 16)
+                return false;
             m_stroke.Add(pick);
             return true;
         }

@@ -1,6 +1,5 @@
-using System;
 using FastPoints.Entities;
-using FastPoints.Rendering;
+using FastPoints.Queries;
 using FastPoints.Store;
 using Unity.Mathematics;
 using UnityEditor;
@@ -10,109 +9,72 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>The Scene view's tool <em>Edit points</em>: a brush, dragged over points, or a box around them deletes, hides,
-    /// classifies or colours points of converted clouds. Escape drops a stroke.</summary>
+    /// <summary>The Scene view's tool <em>Edit points</em>: a brush, dragged over points, a box around them, or a lasso around
+    /// what the camera sees of the selected cloud, deletes, hides, classifies or colours points of converted clouds. Escape drops
+    /// a stroke or a lasso.</summary>
     [EditorTool("Edit points")]
-    internal sealed class EditTool : EditorTool
+    internal sealed class EditTool : PointTool<EditSession>
     {
-        const double PickRadius = 5; // How far from the pointer a point may be, in points of the window.
-        const double UpdateMs = 2; // Main-thread time of each update.
+        const int Brush = 0;
+        const int Box = 1;
+        const int Lasso = 2;
 
-        const float LineHeight = 22;
-
+        static readonly string[] s_shapes = { "Brush", "Box", "Lasso" };
         static readonly string[] s_actions = { "Hide", "Delete", "Classify", "Colour" };
 
         readonly BoxBoundsHandle m_box = new BoxBoundsHandle();
         PointCloud m_boxed;
-        bool m_isBox;
-        EditSession m_session;
-        public EditSession Session => m_session; // Null while the tool is not active.
+        int m_shape;
 
-        public override void OnActivated()
-        {
-            m_session = new EditSession();
-            EditorApplication.update += Update;
-        }
+        protected override bool TakesClicks => m_shape != Box;
 
-        /// <summary>Unity calls this before scripts are reloaded, too.</summary>
-        public override void OnWillBeDeactivated()
-        {
-            EditorApplication.update -= Update;
-            m_session?.Dispose();
-            m_session = null;
-        }
+        protected override bool Advance(double budgetMs) => Session.Update(budgetMs);
 
-        public override void OnToolGUI(EditorWindow window)
+        protected override void Press(PointQuery ray) => Drag(ray);
+
+        protected override void Drag(PointQuery ray)
         {
-            if (m_session == null || !(window is SceneView view))
-                return;
-            int control = GUIUtility.GetControlID(FocusType.Passive);
-            // It comes before clicks are taken, so that a click on a button stays its own.
-            DrawPanel();
-            if (m_isBox)
-                DrawBox();
+            if (m_shape == Lasso)
+                Session.Lasso.Add(ray);
             else
-                Brush(view, control);
+                Session.Drag(ray);
         }
 
-        void Brush(SceneView view, int control)
+        protected override void Release()
         {
-            var current = Event.current;
-            switch (current.GetTypeForControl(control))
-            {
-                case EventType.Layout:
-                    // Without this a click would also select what is under it.
-                    HandleUtility.AddDefaultControl(control);
-                    break;
-                case EventType.MouseDown when current.button == 0 && !current.alt && HandleUtility.nearestControl == control:
-                    GUIUtility.hotControl = control;
-                    Drag(view);
-                    break;
-                case EventType.MouseDrag when GUIUtility.hotControl == control:
-                    Drag(view);
-                    break;
-                case EventType.MouseUp when GUIUtility.hotControl == control:
-                    GUIUtility.hotControl = 0;
-                    m_session.EndStroke();
-                    current.Use();
-                    break;
-                case EventType.KeyDown when current.keyCode == KeyCode.Escape && GUIUtility.hotControl == control:
-                    GUIUtility.hotControl = 0;
-                    m_session.ClearStroke();
-                    current.Use();
-                    break;
-                case EventType.Repaint:
-                    DrawStroke(view.camera);
-                    break;
-            }
+            if (m_shape == Brush)
+                Session.EndStroke();
+            else if (Selected is PointCloud cloud)
+                Session.ApplyLasso(cloud);
+            Session.Lasso.Clear();
         }
 
-        void Drag(SceneView view)
+        protected override bool Escape(bool isPressed)
         {
-            m_session.Drag(CameraViews.PickQueryOf(view.camera, HandleUtility.GUIPointToWorldRay(Event.current.mousePosition),
-                PickRadius * EditorGUIUtility.pixelsPerPoint));
-            Event.current.Use();
+            if (!isPressed)
+                return false;
+            GUIUtility.hotControl = 0;
+            Session.ClearStroke();
+            Session.Lasso.Clear();
+            return true;
         }
 
-        void Update()
+        // Null rather than one that Unity has destroyed.
+        static PointCloud Selected => SceneExport.Selected != null ? SceneExport.Selected : null;
+
+        protected override void DrawMarks(Vector3 toCamera)
         {
-            if (m_session.Update(UpdateMs))
-                SceneView.RepaintAll();
+            foreach (var pick in Session.Stroke)
+                Handles.DrawWireDisc(ToVector(pick.Point.PositionWorld), toCamera, Session.Radius);
+            for (int i = 0; i < Session.Lasso.Count; i++)
+                Handles.DrawLine(BeforeCamera(Session.Lasso[i]), BeforeCamera(Session.Lasso[(i + 1) % Session.Lasso.Count]));
         }
 
-        void DrawStroke(Camera camera)
-        {
-            var toCamera = -(Vector3)camera.worldToCameraMatrix.GetRow(2);
-            foreach (var pick in m_session.Stroke)
-            {
-                var at = (float3)pick.Point.PositionWorld;
-                Handles.DrawWireDisc(new Vector3(at.x, at.y, at.z), toCamera, m_session.Radius);
-            }
-        }
+        static Vector3 BeforeCamera(in PointQuery ray) => ToVector(ray.OriginWorld + ray.DirectionWorld * (2 * ray.From + 1));
 
-        void DrawBox()
+        protected override void DrawHandles()
         {
-            var cloud = SceneExport.Selected;
+            var cloud = m_shape == Box ? Selected : null;
             if (cloud == null)
                 return;
             if (m_boxed != cloud && cloud.TryGetLocalBounds(out var bounds))
@@ -124,29 +86,28 @@ namespace FastPoints.Editor
             Handles.matrix = before;
         }
 
-        void DrawPanel()
+        protected override void DrawPanel()
         {
-            Handles.BeginGUI();
-            GUILayout.BeginArea(new Rect(50, 10, 300, 5 * LineHeight));
+            m_shape = Choose(s_shapes, m_shape);
+            Session.Action = (EditAction)Choose(s_actions, (int)Session.Action);
+            Session.Class = (byte)math.clamp(EditorGUILayout.IntField("Class", Session.Class), 0, byte.MaxValue);
+            Session.Color = EditorGUILayout.ColorField("Colour", Session.Color);
+            if (m_shape == Brush)
+                Session.Radius = math.max(1e-3f, EditorGUILayout.FloatField("Radius", Session.Radius));
+            else if (m_shape == Box && GUILayout.Button("Apply") && Selected is PointCloud cloud)
+                Session.ApplyBox(cloud, new Bounds(m_box.center, m_box.size));
+            GUILayout.Label(CloudEdits.IsBusy ? "editing" : Session.Note ??
+                (m_shape != Brush && Selected == null ? "select a point cloud" : ""));
+        }
+
+        static int Choose(string[] names, int chosen)
+        {
             GUILayout.BeginHorizontal();
-            m_isBox = !GUILayout.Toggle(!m_isBox, "Brush");
-            m_isBox = GUILayout.Toggle(m_isBox, "Box");
+            for (int i = 0; i < names.Length; i++)
+                if (GUILayout.Toggle(chosen == i, names[i]))
+                    chosen = i;
             GUILayout.EndHorizontal();
-            GUILayout.BeginHorizontal();
-            for (int action = 0; action < s_actions.Length; action++)
-                if (GUILayout.Toggle((int)m_session.Action == action, s_actions[action]))
-                    m_session.Action = (EditAction)action;
-            GUILayout.EndHorizontal();
-            m_session.Class = (byte)math.clamp(EditorGUILayout.IntField("Class", m_session.Class), 0, byte.MaxValue);
-            m_session.Color = EditorGUILayout.ColorField("Colour", m_session.Color);
-            if (!m_isBox)
-                m_session.Radius = math.max(1e-3f, EditorGUILayout.FloatField("Radius", m_session.Radius));
-            else if (GUILayout.Button("Apply") && SceneExport.Selected is PointCloud cloud && cloud != null)
-                m_session.ApplyBox(cloud, new Bounds(m_box.center, m_box.size));
-            GUILayout.Label(CloudEdits.IsBusy ? "editing" : m_session.Note ??
-                (m_isBox && SceneExport.Selected == null ? "select a point cloud" : ""));
-            GUILayout.EndArea();
-            Handles.EndGUI();
+            return chosen;
         }
     }
 }

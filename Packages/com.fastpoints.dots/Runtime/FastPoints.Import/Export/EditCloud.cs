@@ -21,22 +21,17 @@ namespace FastPoints.Export
             {
                 yield return JobStep.Of(PoolTask.Run(cloud, () => Lock(cloud), taken => held = taken,
                     unwanted => unwanted.Dispose()));
-                yield return JobStep.Of(PoolTask.Run(cloud, () => ConvertedReader.OpenEdited(cloud, operation),
-                    opened => reader = opened, unwanted => unwanted.DisposeUnread()));
                 var ranges = new List<BlockRange>();
-                int longest = 1;
-                for (int block = 0; block < reader.BlockCount; block++)
-                    if (reader.Edits.MayReach(reader.NodeOf(block).Cube))
-                    {
-                        ranges.Add(new BlockRange(block, 0, reader.PointsInBlock(block)));
-                        longest = Math.Max(longest, reader.PointsInBlock(block));
-                    }
+                yield return JobStep.Of(PoolTask.Run(cloud, () => OpenAndChoose(cloud, operation, ranges),
+                    opened => reader = opened, unwanted => unwanted.DisposeUnread()));
+                long known = operation.PointsChanged;
                 progress?.Begin("count");
                 var wanted = reader.Info.Schema.Select(AttributeNames.X, AttributeNames.Y, AttributeNames.Z);
-                yield return JobStep.Of(SourceScan.Run(ScanRanges.Of(reader, ranges, longest), wanted, new Nobody(),
+                var scanned = ScanRanges.Of(reader, ranges, Math.Max(1, reader.MaxPointsPerBlock));
+                yield return JobStep.Of(SourceScan.Run(scanned, wanted, new Nobody(),
                     SourceScan.LimitFor(reader, wanted, 0, SourceScan.MaxSlotBytes, 0, () => 0), 0, progress));
                 progress?.End();
-                operation.PointsChanged = reader.Edits.PointsChanged[^1];
+                operation.PointsChanged = known + reader.Edits.PointsChanged[^1];
                 ulong id = reader.Manifest.CloudId;
                 if (operation.PointsChanged > 0)
                     yield return JobStep.Of(PoolTask.Run(cloud, () => Write(cloud, id, operation), _ => { }));
@@ -46,6 +41,22 @@ namespace FastPoints.Export
                 reader?.Dispose();
                 held?.Dispose();
             }
+        }
+
+        // Lists what has to be looked at: all points of other nodes are changed, which are counted, or none.
+        static ConvertedReader OpenAndChoose(string cloud, EditOperation operation, List<BlockRange> ranges)
+        {
+            var reader = ConvertedReader.OpenEdited(cloud, operation);
+            operation.PointsChanged = 0;
+            for (int block = 0; block < reader.BlockCount; block++)
+            {
+                var reach = reader.Edits.ReachOf(reader.NodeOf(block));
+                if (reach == EditReach.All)
+                    operation.PointsChanged += reader.PointsInBlock(block);
+                else if (reach == EditReach.Some)
+                    ranges.Add(new BlockRange(block, 0, reader.PointsInBlock(block)));
+            }
+            return reader;
         }
 
         /// <summary>Undoes the last operation, or does it again. Not for a main thread.</summary>

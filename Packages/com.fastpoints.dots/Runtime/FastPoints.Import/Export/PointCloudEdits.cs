@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Store;
+using Unity.Mathematics;
 
 namespace FastPoints.Export
 {
@@ -12,13 +13,22 @@ namespace FastPoints.Export
         /// <param name="box">Georeferenced, in CRS units.</param>
         /// <param name="done">Receives how many points.</param>
         public static IEnumerator<JobStep> DeleteIn(string cloud, BoundsGeo box, Action<long> done) =>
-            Edit(cloud, new EditOperation { Action = EditAction.Delete }, box, done);
+            Edit(cloud, new EditOperation { Action = EditAction.Delete }, (o, grid) => AddBox(o, grid, box), done);
 
         /// <summary>Gives the points in a box a class.</summary>
         /// <param name="box">Georeferenced, in CRS units.</param>
         /// <param name="done">Receives how many points had another.</param>
         public static IEnumerator<JobStep> ClassifyIn(string cloud, BoundsGeo box, byte classification, Action<long> done) =>
-            Edit(cloud, new EditOperation { Action = EditAction.Classify, Value = new[] { classification } }, box, done);
+            Edit(cloud, new EditOperation { Action = EditAction.Classify, Value = new[] { classification } },
+                (o, grid) => AddBox(o, grid, box), done);
+
+        /// <summary>Deletes the points that an eye sees through a polygon, as if nothing hid them: a lasso on a screen.</summary>
+        /// <param name="eye">Georeferenced, in CRS units, as all positions; far away for a parallel view.</param>
+        /// <param name="corners">A position on the ray through each corner.</param>
+        /// <param name="done">Receives how many points.</param>
+        public static IEnumerator<JobStep> DeleteSeen(string cloud, double3 eye, double3[] corners, Action<long> done) =>
+            Edit(cloud, new EditOperation { Action = EditAction.Delete },
+                (o, grid) => o.SetLasso(grid, new double4(eye, 1), corners), done);
 
         /// <summary>Undoes the last edit.</summary>
         /// <param name="done">Receives whether there was one.</param>
@@ -46,7 +56,14 @@ namespace FastPoints.Export
             }
         }
 
-        static IEnumerator<JobStep> Edit(string cloud, EditOperation operation, BoundsGeo box, Action<long> done)
+        static string AddBox(EditOperation operation, CloudGrid grid, BoundsGeo box)
+        {
+            operation.Boxes.Add(EditShape.Box(grid, box.Min, box.Max));
+            return null;
+        }
+
+        static IEnumerator<JobStep> Edit(string cloud, EditOperation operation, Func<EditOperation, CloudGrid, string> choose,
+            Action<long> done)
         {
             CloudManifest manifest = null;
             yield return JobStep.Of(PoolTask.Run(cloud, () =>
@@ -54,7 +71,8 @@ namespace FastPoints.Export
                 using var folder = CloudFolder.Open(cloud);
                 return folder.Manifest;
             }, read => manifest = read));
-            operation.Boxes.Add(EditShape.Box(manifest.Grid, box.Min, box.Max));
+            if (choose(operation, manifest.Grid) is string problem)
+                throw new PointCloudException(FailureCode.Unsupported, cloud, -1, problem);
             yield return JobStep.Of(EditCloud.Run(cloud, operation, null));
             done(operation.PointsChanged);
         }

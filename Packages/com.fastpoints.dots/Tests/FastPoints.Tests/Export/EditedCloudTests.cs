@@ -13,6 +13,7 @@ using FastPoints.Tests.Reading;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
 using Random = System.Random;
 
 namespace FastPoints.Tests.Export
@@ -119,16 +120,14 @@ namespace FastPoints.Tests.Export
 
         static bool HoldsPrism(EditOperation operation, Grid3 p)
         {
-            var prism = operation.Prism;
-            var from = p - prism.Origin;
-            long u = checked(from.X * prism.U.X + from.Y * prism.U.Y + from.Z * prism.U.Z);
-            long v = checked(from.X * prism.V.X + from.Y * prism.V.Y + from.Z * prism.V.Z);
+            if (!TryPlace(operation.Prism, p, out long u, out long v))
+                return false;
             var crossings = new int[2];
             foreach (var (polygon, at) in operation.Rings)
                 for (int i = 0; i < at.Length; i += 2)
                 {
                     long u0 = at[i], v0 = at[i + 1], u1 = at[(i + 2) % at.Length], v1 = at[(i + 3) % at.Length];
-                    long side = checked((u1 - u0) * (v - v0) - (v1 - v0) * (u - u0));
+                    var side = (BigInteger)(u1 - u0) * (v - v0) - (BigInteger)(v1 - v0) * (u - u0);
                     if (side == 0 && u >= Math.Min(u0, u1) && u <= Math.Max(u0, u1) && v >= Math.Min(v0, v1) &&
                         v <= Math.Max(v0, v1))
                         return true;
@@ -139,7 +138,26 @@ namespace FastPoints.Tests.Export
             return crossings.Any(n => n % 2 == 1);
         }
 
-        static long Apply(EditOperation operation, IEnumerable<Point> points)
+        static bool TryPlace(EditPrism prism, Grid3 p, out long u, out long v)
+        {
+            var from = p - prism.Origin;
+            BigInteger Dot(Grid3 axis) => (BigInteger)from.X * axis.X + (BigInteger)from.Y * axis.Y + (BigInteger)from.Z * axis.Z;
+            var depth = Dot(prism.W);
+            (u, v) = (0, 0);
+            if (prism.W == default)
+                (u, v) = ((long)Dot(prism.U), (long)Dot(prism.V));
+            else if (depth > 0)
+                (u, v) = (Floor(Dot(prism.U) << 20, depth), Floor(Dot(prism.V) << 20, depth));
+            return prism.W == default || depth > 0;
+        }
+
+        static long Floor(BigInteger a, BigInteger b)
+        {
+            var quotient = BigInteger.DivRem(a, b, out var rest);
+            return (long)(rest < 0 ? quotient - 1 : quotient);
+        }
+
+        static long Apply(EditOperation operation, IEnumerable<Point> points, int fill = 257)
         {
             long changed = 0;
             var holds = operation.Conditions.Select(c => s_conditions.First(k => k.Text == c.Text).Holds).ToArray();
@@ -155,7 +173,7 @@ namespace FastPoints.Tests.Export
                 if (operation.Action == EditAction.Classify)
                     kind = operation.Value[0];
                 if (operation.Action == EditAction.Color)
-                    (red, green, blue) = (operation.Value[0] * 257, operation.Value[1] * 257, operation.Value[2] * 257);
+                    (red, green, blue) = (operation.Value[0] * fill, operation.Value[1] * fill, operation.Value[2] * fill);
                 bool isOther = operation.Action == EditAction.Delete || operation.Action == EditAction.Hide && !point.IsHidden ||
                     (kind, red, green, blue) != (point.Values[1], point.Values[2], point.Values[3], point.Values[4]);
                 changed += isOther ? 1 : 0;
@@ -203,16 +221,16 @@ namespace FastPoints.Tests.Export
             prism.Origin = RandomIn(random, min, max);
             prism.U = RandomIn(random, new Grid3(-9, -9, -9), new Grid3(9, 9, 9));
             prism.V = RandomIn(random, new Grid3(-9, -9, -9), new Grid3(9, 9, 9));
+            if (random.Next(2) == 0)
+                prism.W = RandomIn(random, new Grid3(-9, -9, -9), new Grid3(9, 9, 9));
             for (int ring = 0; ring < 3; ring++)
             {
-                var at = new long[2 * random.Next(3, 12)];
-                for (int i = 0; i < at.Length; i += 2)
-                {
-                    var from = RandomIn(random, min, max) - prism.Origin;
-                    at[i] = from.X * prism.U.X + from.Y * prism.U.Y + from.Z * prism.U.Z;
-                    at[i + 1] = from.X * prism.V.X + from.Y * prism.V.Y + from.Z * prism.V.Z;
-                }
-                operation.AddRing(ring / 2, at);
+                var at = new List<long>();
+                for (int i = random.Next(3, 12); i > 0; i--)
+                    if (TryPlace(prism, RandomIn(random, min, max), out long u, out long v) &&
+                        (prism.W == default || Math.Max(Math.Abs(u), Math.Abs(v)) < EditPrism.MaxPlace))
+                        at.AddRange(new[] { u, v });
+                operation.AddRing(ring / 2, at.Count > 4 ? at.ToArray() : new[] { -9L, -9, 9, -9, 0, 9 });
             }
         }
 
@@ -227,6 +245,7 @@ namespace FastPoints.Tests.Export
                 points = Read(stored);
                 manifest = stored.Manifest;
             }
+            int fill = points.Any(p => p.Values.Skip(2).Take(3).Any(v => v > byte.MaxValue)) ? 257 : 1;
             for (int n = 0; n < operations; n++)
             {
                 // Deleting comes last, so that there is something to change.
@@ -236,7 +255,7 @@ namespace FastPoints.Tests.Export
                 if (EditPlan.FindProblem(operation, manifest) != null)
                     continue;
                 JobCoroutine.RunToEnd(EditCloud.Run(Cloud, operation, null));
-                Assert.That(operation.PointsChanged, Is.EqualTo(Apply(operation, points)), operation.ToJson());
+                Assert.That(operation.PointsChanged, Is.EqualTo(Apply(operation, points, fill)), operation.ToJson());
             }
             return points;
         }
@@ -260,6 +279,40 @@ namespace FastPoints.Tests.Export
             var points = Edit(seed, 8);
             using var edited = ConvertedReader.OpenEdited(Cloud);
             Assert.That(Sorted(Read(edited)), Is.EqualTo(Sorted(points)));
+        }
+
+        // The pyramid's sides are planes through the eye and two corners.
+        [TestCase(1e3), TestCase(4e5), TestCase(1e9)]
+        public void DeleteSeen_ThroughAPolygon_IsWhatLiesBetweenItsPlanes(double distance)
+        {
+            ConvertSeeded();
+            List<Point> points;
+            CloudManifest manifest;
+            using (var stored = ConvertedReader.Open(Cloud))
+                (points, manifest) = (Read(stored), stored.Manifest);
+            var size = manifest.BoundsGeo.Size;
+            double3 forward = math.normalize(new double3(-2, 1, -1.5)), right = math.normalize(math.cross(forward, size));
+            var eye = manifest.BoundsGeo.Min + size * 0.4 - forward * distance;
+            double wide = math.cmax(size) * 0.3;
+            var corners = new double3[5];
+            for (int i = 0; i < corners.Length; i++)
+            {
+                math.sincos(-2 * math.PI_DBL * i / corners.Length, out double sine, out double cosine);
+                corners[i] = eye + (forward * distance + (right * cosine + math.cross(right, forward) * sine) * wide) * (i + 1);
+            }
+            double Inside(Point point) => Enumerable.Range(0, 5).Min(i => math.dot(manifest.Grid.ToGeo(point.At) - eye,
+                math.normalize(math.cross(corners[i] - eye, corners[(i + 1) % 5] - eye))));
+            long deleted = 0;
+            JobCoroutine.RunToEnd(PointCloudEdits.DeleteSeen(Cloud, eye, corners, count => deleted = count));
+            using var edited = ConvertedReader.OpenEdited(Cloud);
+            var left = new HashSet<string>(Sorted(Read(edited)));
+            Assert.That(deleted, Is.EqualTo(points.Count - left.Count).And.InRange(200, points.Count - 200));
+            // The eye lies on the grid.
+            foreach (var point in points.Where(p => math.abs(Inside(p)) > 2 * math.cmax(manifest.Grid.Step) + 1e-6 * wide))
+                Assert.That(left.Contains(point.ToString()), Is.EqualTo(Inside(point) < 0), point + ": " + Inside(point));
+            var behind = Array.ConvertAll(corners, corner => 2 * eye - corner).Take(4).Append(corners[4]).ToArray();
+            Assert.Throws<PointCloudException>(() =>
+                JobCoroutine.RunToEnd(PointCloudEdits.DeleteSeen(Cloud, eye, behind, _ => { })));
         }
 
         [Test]

@@ -36,7 +36,8 @@ namespace FastPoints.Tests.Store
                 operation.Prism.Origin = new Grid3(1, 2, 3);
                 operation.Prism.U = new Grid3(5, 0, -1);
                 operation.Prism.V = new Grid3(0, 7, n);
-                operation.AddRing(1, new long[] { 0, 0, 1L << 60, 0, 5, 9 });
+                operation.Prism.W = n % 2 == 0 ? default : new Grid3(1, 0, -n);
+                operation.AddRing(1, new long[] { 0, 0, n % 2 == 0 ? 1L << 60 : 1L << 31, 0, 5, 9 });
                 operation.AddRing(2, new long[] { 1, 1, 2, 1, 2, 2 });
             }
             if (n % 5 != 0)
@@ -206,6 +207,7 @@ namespace FastPoints.Tests.Store
          TestCase("\"value\": []", "\"lasso\": 1"),
          TestCase("Intensity", "="), TestCase("\"a\": [1, 2, 3]", "\"a\": [1, 2]"), TestCase("[4, 4, 4]", "[4, 4, -4]"),
          TestCase("[4, 4, 4]", "[4, 4, 2000000]"), TestCase("[1, 2, 3]", "[1, 2, 9223372036854775807]"),
+         TestCase("\"prism\"", "\"pyramid\""),
          TestCase("\"pointsChanged\": 5,", ""), TestCase("\"at\": [", "\"at\": [7,"), TestCase("{", "[")]
         public void FromJson_OfWhatIsNoOperation_IsAnError(string part, string other)
         {
@@ -237,6 +239,11 @@ namespace FastPoints.Tests.Store
                 Assert.That(sum.CompareTo(Signed128.Product(d, c)), Is.EqualTo(wanted.CompareTo(second)));
                 long clamped = (long)BigInteger.Max(-5, BigInteger.Min(long.MaxValue - 1, wanted));
                 Assert.That(sum.Clamp(-5, long.MaxValue - 1), Is.EqualTo(clamped));
+                if (second <= 0 || second >> 90 > 0)
+                    continue;
+                var quotient = BigInteger.Divide(wanted, second) - (wanted < 0 && !(wanted % second).IsZero ? 1 : 0);
+                Assert.That(sum.Over(Signed128.Product(c, d), -(1L << 31), 1L << 31),
+                    Is.EqualTo((long)BigInteger.Max(-(1L << 31), BigInteger.Min(1L << 31, quotient))));
             }
         }
 

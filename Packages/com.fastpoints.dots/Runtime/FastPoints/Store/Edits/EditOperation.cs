@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
@@ -21,7 +22,7 @@ namespace FastPoints.Store
 
         const long MaxAxis = 1L << 31;
 
-        static readonly string[] s_members = { "do", "pointsChanged", "value", "boxes", "balls", "prism", "where" };
+        static readonly string[] s_members = { "do", "pointsChanged", "value", "boxes", "balls", "prism", "pyramid", "where" };
         static readonly string[] s_actions = { "hide", "delete", "classify", "colour" };
 
         public EditAction Action;
@@ -52,11 +53,66 @@ namespace FastPoints.Store
                 Prism.Include(vertices[i], vertices[i + 1]);
         }
 
+        // What is seen inside of a polygon through positions: from an eye, whose w is 1, or against a direction, whose w is 0.
+        // Returns what is wrong, or null. A pyramid is exact but for its eye, which lies on the nearest grid position, and its
+        // corners' places: where U, V and W point only says on which plane it is drawn. A prism's axes are within 2^-30.
+        public string SetLasso(in CloudGrid grid, double4 eye, IReadOnlyList<double3> corners)
+        {
+            bool isPyramid = eye.w != 0;
+            double3 forward = default, step = grid.Step;
+            foreach (var corner in corners)
+                forward += isPyramid ? math.normalize(corner - eye.xyz) : -eye.xyz;
+            forward = math.normalize(forward);
+            if (corners.Count < 3 || !math.all(math.isfinite(forward)))
+                return "wanted an eye and at least three corners before it";
+            var right = math.normalize(math.cross(forward, math.abs(forward.z) < 0.9 ? new double3(0, 0, 1)
+                : new double3(1, 0, 0)));
+            double3 from = isPyramid ? eye.xyz : corners[0];
+            Prism.Origin = EditShape.GridOf(math.round((from - grid.Origin) / step));
+            (Prism.U, Prism.V) = (AxisOf(right * step, MaxAxis / 2), AxisOf(math.cross(right, forward) * step, MaxAxis / 2));
+            double widest = 0;
+            var places = new double3[corners.Count]; // u, v and depth.
+            for (int i = 0; i < places.Length; i++)
+            {
+                var at = (corners[i] - (isPyramid ? from : grid.ToGeo(Prism.Origin))) / step;
+                places[i] = new double3(Dot(at, Prism.U), Dot(at, Prism.V), math.dot(at, forward * step));
+                widest = math.max(widest, math.cmax(math.abs(places[i].xy)) / places[i].z * math.cmax(math.abs(forward * step)));
+            }
+            // So that corners' places are as fine as they can be.
+            Prism.W = isPyramid ? AxisOf(forward * step, math.clamp(widest * EditPrism.PlacesPerSlope * 4 / EditPrism.MaxPlace,
+                256, MaxAxis / 2)) : default;
+            var vertices = new long[2 * places.Length];
+            for (int i = 0; i < places.Length; i++)
+            {
+                double depth = isPyramid ? Dot((corners[i] - from) / step, Prism.W) / EditPrism.PlacesPerSlope : 1;
+                var place = places[i].xy / depth;
+                if (!(depth > 0) || !(math.cmax(math.abs(place)) < (isPyramid ? EditPrism.MaxPlace : MaxCoordinate)))
+                    return "a corner lies beside the eye or behind it, or too far away";
+                (vertices[2 * i], vertices[2 * i + 1]) = ((long)math.round(place.x), (long)math.round(place.y));
+            }
+            AddRing(0, vertices);
+            return null;
+        }
+
+        static Grid3 AxisOf(double3 direction, double length) =>
+            EditShape.GridOf(math.round(direction * (length / math.cmax(math.abs(direction)))));
+
+        static double Dot(double3 at, Grid3 axis) => at.x * axis.X + at.y * axis.Y + at.z * axis.Z;
+
         // Whether it may change points in a box, as far as its shapes say.
-        public bool MayReach(EditShape box) =>
-            (Boxes.Count == 0 || Boxes.Exists(b => b.ReachOf(box) != EditReach.None)) &&
-            (Balls.Count == 0 || Balls.Exists(b => b.ReachOf(box) != EditReach.None)) &&
-            (!Prism.IsUsed || Prism.TryProject(box, out _));
+        public bool MayReach(in EditShape box) =>
+            Reach(Boxes, box, EditReach.Some) && Reach(Balls, box, EditReach.Some) && MaySee(box);
+
+        public bool MaySee(in EditShape box) => !Prism.IsUsed || Prism.TryProject(box, out _);
+
+        // Whether any of the shapes holds as much of a box, if there are any.
+        public static bool Reach(List<EditShape> shapes, in EditShape box, EditReach least)
+        {
+            bool isReached = shapes.Count == 0;
+            for (int i = 0; i < shapes.Count && !isReached; i++)
+                isReached = shapes[i].ReachOf(box) >= least;
+            return isReached;
+        }
 
         // What is wrong with it, or null.
         public string FindProblem()
@@ -72,9 +128,11 @@ namespace FastPoints.Store
                     return "a ball is too far away, or its radius is: wanted " + NumberText.Of(min) + " to " +
                         NumberText.Of(max) + " steps, got " + ball.B;
             }
+            long farthest = Prism.IsPyramid ? EditPrism.MaxPlace : MaxCoordinate;
             return !Prism.IsUsed || IsWithin(Prism.Origin, MaxCoordinate) && IsWithin(Prism.U, MaxAxis) &&
-                IsWithin(Prism.V, MaxAxis) && IsWithin(new Grid3(Prism.MinU, Prism.MinV, Prism.MaxU), MaxCoordinate) &&
-                IsWithin(new Grid3(Prism.MaxV, 0, 0), MaxCoordinate) ? null : "a polygon is too far away or too large";
+                IsWithin(Prism.V, MaxAxis) && IsWithin(Prism.W, MaxAxis) && IsWithin(new Grid3(Prism.MaxV, 0, 0), farthest) &&
+                IsWithin(new Grid3(Prism.MinU, Prism.MinV, Prism.MaxU), farthest) ? null
+                : "a polygon is too far away or too large";
         }
 
         static bool IsWithin(Grid3 position, long max)
@@ -92,8 +150,10 @@ namespace FastPoints.Store
             Add(json, "balls", Balls);
             if (Prism.IsUsed)
             {
-                json.BeginObject("prism");
-                Add(Add(Add(json, "origin", Prism.Origin), "u", Prism.U), "v", Prism.V).BeginArray("rings");
+                // Two names, so that versions that know no pyramids do not take one for a prism.
+                json.BeginObject(Prism.IsPyramid ? "pyramid" : "prism");
+                Add(Add(Add(json, "origin", Prism.Origin), "u", Prism.U), "v", Prism.V);
+                (Prism.IsPyramid ? Add(json, "w", Prism.W) : json).BeginArray("rings");
                 foreach (var (polygon, vertices) in Rings)
                 {
                     json.BeginObject().Add("polygon", (long)polygon).BeginArray("at");
@@ -136,8 +196,11 @@ namespace FastPoints.Store
                 operation.Boxes.Add(new EditShape { A = GridOf(box, "a"), B = GridOf(box, "b") });
             foreach (var ball in json.Objects("balls"))
                 operation.Balls.Add(new EditShape { A = GridOf(ball, "a"), B = GridOf(ball, "b"), IsBall = true });
-            if (json.Has("prism"))
-                operation.ReadPrism(json.Object("prism"));
+            bool isPyramid = json.Has("pyramid");
+            if (isPyramid && json.Has("prism"))
+                throw json.Bad("prism", "no pyramid besides");
+            if (isPyramid || json.Has("prism"))
+                operation.ReadPrism(json.Object(isPyramid ? "pyramid" : "prism"), isPyramid);
             try
             {
                 operation.Conditions.AddRange(json.Texts("where").ConvertAll(FilterExpression.Parse));
@@ -150,13 +213,14 @@ namespace FastPoints.Store
             return problem == null ? operation : throw new PointCloudException(FailureCode.BadInput, path, -1, problem);
         }
 
-        void ReadPrism(JsonMembers prism)
+        void ReadPrism(JsonMembers prism, bool isPyramid)
         {
             (Prism.Origin, Prism.U, Prism.V) = (GridOf(prism, "origin"), GridOf(prism, "u"), GridOf(prism, "v"));
+            Prism.W = isPyramid ? GridOf(prism, "w") : default;
             foreach (var ring in prism.Objects("rings"))
                 AddRing(ring.Int("polygon"), ring.Longs("at"));
             // Without one it would mean all points.
-            if (!Prism.IsUsed || Rings.Exists(ring => ring.Vertices.Length % 2 != 0))
+            if (!Prism.IsUsed || Prism.IsPyramid != isPyramid || Rings.Exists(ring => ring.Vertices.Length % 2 != 0))
                 throw prism.Bad("rings", "u and v of each vertex");
         }
 

@@ -2,22 +2,21 @@ using System;
 using System.Collections.Generic;
 using Unity.Collections;
 using Unity.Jobs;
+using Unity.Mathematics;
 
 namespace FastPoints.Store
 {
     internal sealed class EditPlan
     {
         readonly List<string> m_changed = new List<string>();
-        readonly EditShape[] m_bounds; // Of each operation's balls, or else of its boxes.
+        EditReaches m_before; // Of all operations but the last.
 
         public EditPlan(IReadOnlyList<EditOperation> operations, CloudManifest manifest)
         {
             Operations = operations;
             Manifest = manifest;
             PointsChanged = new long[operations.Count];
-            m_bounds = new EditShape[operations.Count];
-            for (int i = 0; i < m_bounds.Length; i++)
-                m_bounds[i] = EditShape.Around(operations[i].Balls.Count > 0 ? operations[i].Balls : operations[i].Boxes);
+            Reaches = new EditReaches(operations);
             var names = new List<string>();
             foreach (var operation in operations)
             {
@@ -66,23 +65,22 @@ namespace FastPoints.Store
             return operations.Count > 0 ? new EditPlan(operations, manifest) : null;
         }
 
-        // Whether the last operation may change points of a cube.
-        public bool MayReach(GridCube cube) => Operations[Operations.Count - 1].MayReach(BoxOf(cube));
+        public EditReaches Reaches { get; }
 
-        // Whether any operation may.
-        public bool MayReachAny(GridCube cube)
+        // How many points of a node and its inlined leaves the last operation surely changes: none or all, or perhaps some.
+        public EditReach ReachOf(in NodeRecord node)
         {
-            var box = BoxOf(cube);
-            for (int i = 0; i < m_bounds.Length; i++)
-                if (m_bounds[i].ReachOf(box) != EditReach.None && Operations[i].MayReach(box))
-                    return true;
-            return false;
-        }
-
-        static EditShape BoxOf(GridCube cube)
-        {
-            long last = cube.Side - 1;
-            return new EditShape { A = cube.Corner, B = cube.Corner + new Grid3(last, last, last) };
+            var last = Operations[Operations.Count - 1];
+            if (!last.MayReach(EditShape.Of(node.Cube)))
+                return EditReach.None;
+            if (last.ChangedAttributes.Length > 0 || last.Conditions.Count > 0 || last.Prism.IsUsed)
+                return EditReach.Some;
+            var box = node.PlaneBlocks == node.BlockCount ? EditShape.OfPoints(node) : EditShape.Of(node.Cube);
+            (box.A, box.B) = (Grid3.Max(box.A, Manifest.BoundsMin), Grid3.Min(box.B, Manifest.BoundsMax));
+            m_before ??= new EditReaches(new List<EditOperation>(Operations).GetRange(0, Operations.Count - 1));
+            int tries = int.MaxValue;
+            return EditOperation.Reach(last.Boxes, box, EditReach.All) && EditOperation.Reach(last.Balls, box, EditReach.All) &&
+                !m_before.Any(box, ref tries) ? EditReach.All : EditReach.Some;
         }
 
         // What keeps an operation from being applied to a cloud, or null.
@@ -116,6 +114,75 @@ namespace FastPoints.Store
             bool isNarrow = operation.Action != EditAction.Color || max > 0 && max <= byte.MaxValue ||
                 Manifest.Attributes[Manifest.Attributes.IndexOf(AttributeNames.Red)].Type == AttributeType.UInt8;
             return isNarrow ? 1 : 257;
+        }
+    }
+
+    // Which boxes any of the operations may reach: a tree over the bounds of their balls, or else of their boxes, in the order in
+    // which they were drawn, where neighbours follow one another. Operations that have neither are tried one by one.
+    internal sealed class EditReaches
+    {
+        const int LeafLength = 4;
+
+        readonly (EditShape Shape, EditOperation Of)[] m_shapes; // Those of a leaf follow one another.
+        readonly EditShape[] m_bounds; // Node n's halves are 2 n + 1 and 2 n + 2.
+        readonly List<EditOperation> m_others = new List<EditOperation>();
+
+        public EditReaches(IReadOnlyList<EditOperation> operations)
+        {
+            var shapes = new List<(EditShape, EditOperation)>();
+            foreach (var operation in operations)
+            {
+                var of = operation.Balls.Count > 0 ? operation.Balls : operation.Boxes;
+                shapes.AddRange(of.ConvertAll(shape => (shape, operation)));
+                if (of.Count == 0)
+                    m_others.Add(operation);
+            }
+            m_shapes = shapes.ToArray();
+            m_bounds = new EditShape[2 * math.ceilpow2((m_shapes.Length + LeafLength - 1) / LeafLength)];
+            if (m_shapes.Length > 0)
+                Build(0, 0, m_shapes.Length);
+        }
+
+        // Without garbage. So many prisms are tried; then it may be any box.
+        public bool Any(in EditShape box, ref int tries)
+        {
+            if (m_shapes.Length > 0 && Any(box, 0, 0, m_shapes.Length))
+                return true;
+            foreach (var other in m_others)
+                if (tries-- <= 0 || other.MaySee(box))
+                    return true;
+            return false;
+        }
+
+        bool Any(in EditShape box, int node, int from, int to)
+        {
+            if (m_bounds[node].ReachOf(box) == EditReach.None)
+                return false;
+            int half = (from + to) / 2;
+            if (to - from > LeafLength)
+                return Any(box, 2 * node + 1, from, half) || Any(box, 2 * node + 2, half, to);
+            for (int s = from; s < to; s++)
+            {
+                var (shape, of) = m_shapes[s];
+                if (shape.ReachOf(box) != EditReach.None && of.MaySee(box) &&
+                    (!shape.IsBall || EditOperation.Reach(of.Boxes, box, EditReach.Some)))
+                    return true;
+            }
+            return false;
+        }
+
+        void Build(int node, int from, int to)
+        {
+            var around = m_shapes[from].Shape.Bounds;
+            for (int s = from + 1; s < to; s++)
+            {
+                var bounds = m_shapes[s].Shape.Bounds;
+                (around.A, around.B) = (Grid3.Min(around.A, bounds.A), Grid3.Max(around.B, bounds.B));
+            }
+            m_bounds[node] = around;
+            int half = (from + to) / 2;
+            for (int child = 0; child < 2 && to - from > LeafLength; child++)
+                Build(2 * node + 1 + child, child == 0 ? from : half, child == 0 ? half : to);
         }
     }
 

@@ -47,19 +47,22 @@ namespace FastPoints.Store
             return ball;
         }
 
-        // The smallest box around shapes; everything if there are none.
-        public static EditShape Around(List<EditShape> shapes)
+        public static EditShape Of(GridCube cube)
         {
-            var far = new Grid3(EditOperation.MaxCoordinate, EditOperation.MaxCoordinate, EditOperation.MaxCoordinate);
-            var all = shapes.Count > 0 ? new EditShape { A = far, B = default(Grid3) - far }
-                : new EditShape { A = default(Grid3) - far, B = far };
-            foreach (var shape in shapes)
-            {
-                all.A = Grid3.Min(all.A, shape.IsBall ? shape.A - shape.B : shape.A);
-                all.B = Grid3.Max(all.B, shape.IsBall ? shape.A + shape.B : shape.B);
-            }
-            return all;
+            long last = cube.Side - 1;
+            return new EditShape { A = cube.Corner, B = cube.Corner + new Grid3(last, last, last) };
         }
+
+        // Around a node's own points, without those of its inlined leaves.
+        public static EditShape OfPoints(in NodeRecord node)
+        {
+            int at = node.BoundsShift;
+            var end = new Grid3(node.MaxX + 1L << at, node.MaxY + 1L << at, node.MaxZ + 1L << at) - new Grid3(1, 1, 1);
+            var min = new Grid3((long)node.MinX << at, (long)node.MinY << at, (long)node.MinZ << at);
+            return new EditShape { A = node.Corner + min, B = node.Corner + end };
+        }
+
+        public readonly EditShape Bounds => IsBall ? new EditShape { A = A - B, B = A + B } : this;
 
         public static Grid3 GridOf(double3 steps)
         {
@@ -98,14 +101,19 @@ namespace FastPoints.Store
     }
 
     // Where polygons are drawn: a position is seen at u = dot(position - Origin, U), v likewise, so that U and V say how finely,
-    // and from where. They reach without end along what is across both.
+    // and from where. They reach without end along what is across both. With W they are a pyramid's section, and Origin is the
+    // eye: what lies before it, at a depth of d = dot(position - Origin, W) > 0, is seen at floor(dot(position - Origin, U) *
+    // 2^20 / d), v likewise. All of it in whole numbers.
     internal struct EditPrism
     {
         public const int SubstepsPerStep = 1024; // How finely polygons along an axis are drawn.
+        public const long PlacesPerSlope = 1 << 20; // As finely pyramids'.
+        public const long MaxPlace = 1L << 31; // Of pyramids.
 
         public Grid3 Origin;
         public Grid3 U;
         public Grid3 V;
+        public Grid3 W;
 
         public long MinU;
         public long MinV;
@@ -122,6 +130,8 @@ namespace FastPoints.Store
 
         public readonly bool IsUsed => MaxU >= MinU;
 
+        public readonly bool IsPyramid => W != default;
+
         public void Include(long u, long v)
         {
             (MinU, MaxU) = (math.min(MinU, u), math.max(MaxU, u));
@@ -132,7 +142,7 @@ namespace FastPoints.Store
         public readonly bool TryProject(in EditShape box, out EditEdge seen)
         {
             Grid3 low = box.A - Origin, high = box.B - Origin;
-            seen = new EditEdge
+            seen = IsPyramid ? See(low, high) : new EditEdge
             {
                 FromU = Dot(U, low, high).Clamp(MinU - 1, MaxU + 1),
                 FromV = Dot(V, low, high).Clamp(MinV - 1, MaxV + 1),
@@ -140,6 +150,26 @@ namespace FastPoints.Store
                 ToV = Dot(V, high, low).Clamp(MinV - 1, MaxV + 1),
             };
             return seen.ToU >= MinU && seen.FromU <= MaxU && seen.ToV >= MinV && seen.FromV <= MaxV;
+        }
+
+        // A box's places lie between those of its corners, if all are before the eye. If some are, they may be anywhere.
+        readonly EditEdge See(Grid3 low, Grid3 high)
+        {
+            var seen = Empty;
+            int corners = low == high ? 1 : 8, behind = 0;
+            for (int i = 0; i < corners; i++)
+            {
+                var at = new Grid3((i & 1) == 0 ? low.X : high.X, (i & 2) == 0 ? low.Y : high.Y, (i & 4) == 0 ? low.Z : high.Z);
+                var depth = Dot(W, at, at);
+                if (depth.CompareTo(default) <= 0)
+                    behind++;
+                else
+                    seen.Include(Dot(U, at, at).Times(PlacesPerSlope).Over(depth, MinU - 1, MaxU + 1),
+                        Dot(V, at, at).Times(PlacesPerSlope).Over(depth, MinV - 1, MaxV + 1));
+            }
+            if (behind > 0 && behind < corners)
+                (seen.MinU, seen.MinV, seen.MaxU, seen.MaxV) = (MinU - 1, MinV - 1, MaxU + 1, MaxV + 1);
+            return new EditEdge { FromU = seen.MinU, FromV = seen.MinV, ToU = seen.MaxU, ToV = seen.MaxV };
         }
 
         static Signed128 Dot(Grid3 axis, Grid3 ofPositive, Grid3 ofNegative) =>
@@ -212,6 +242,27 @@ namespace FastPoints.Store
             ulong low = a.m_low + b.m_low;
             return new Signed128(a.m_high + b.m_high + (low < a.m_low ? 1 : 0), low);
         }
+
+        // Modulo 2^128.
+        public Signed128 Times(long factor)
+        {
+            var low = Product((long)m_low, factor);
+            return new Signed128(low.m_high + m_high * factor + ((long)m_low < 0 ? factor : 0), low.m_low);
+        }
+
+        // The quotient rounded down, or the end of the range that it lies beyond. The divisor is positive, and its product with
+        // either end less than 2^127. The floating-point quotient is only where to begin.
+        public long Over(Signed128 divisor, long min, long max)
+        {
+            long quotient = (long)math.floor(math.clamp(ToDouble() / divisor.ToDouble(), min, max));
+            while (quotient > min && CompareTo(divisor.Times(quotient)) < 0)
+                quotient--;
+            while (quotient < max && CompareTo(divisor.Times(quotient + 1)) >= 0)
+                quotient++;
+            return quotient;
+        }
+
+        double ToDouble() => m_high * 18446744073709551616.0 + m_low;
 
         public int CompareTo(Signed128 other) =>
             m_high != other.m_high ? m_high.CompareTo(other.m_high) : m_low.CompareTo(other.m_low);

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using FastPoints.Store;
 using Unity.Collections;
@@ -5,13 +6,17 @@ using Unity.Collections;
 namespace FastPoints.Streaming
 {
     // A node that edits may reach, as it is stored.
-    internal sealed class EditedNode
+    internal struct EditedNode : IEquatable<EditedNode>
     {
+        public int Number;
         public int Page;
         public Grid3 Corner;
         public bool IsWide;
         public int BlockCount;
-        public PlaneRange[] Ranges; // Of EditedNodes.Planes.
+
+        public bool Equals(EditedNode other) => Number == other.Number;
+
+        public override int GetHashCode() => Number;
     }
 
     // The nodes of a cloud's folder that its edits may reach, of the pages that were registered. In a page their ranges say no
@@ -19,9 +24,16 @@ namespace FastPoints.Streaming
     internal sealed class EditedNodes
     {
         const int NotEdited = -1;
+        const int Empty = -2; // Reached, though without planes of its own.
+
+        // Of prisms at the nodes of a page, which has some 500: under 4 ms of the main thread. Nodes that were not tried are made
+        // anew though they stay as they are.
+        const int MaxTries = 4096;
 
         readonly CloudFolder m_folder;
+        readonly bool[] m_isChanged; // By Planes.
         readonly List<EditedNode> m_nodes = new List<EditedNode>();
+        readonly List<PlaneRange> m_ranges = new List<PlaneRange>(); // By node and Planes.
         readonly List<int[]> m_numbers = new List<int[]>(); // By page and node.
 
         public EditedNodes(EditPlan plan, CloudFolder folder, NativeArray<int> streamed)
@@ -32,6 +44,8 @@ namespace FastPoints.Streaming
             for (int p = 1; p < Layout.Planes.Count; p++)
                 if (Layout.Planes[p].IsSource && !Planes.Contains(p) && IsNamed(plan.Schema, p))
                     Planes.Add(p);
+            var changed = plan.Changed;
+            m_isChanged = Planes.ConvertAll(p => p != StoreLayout.PositionPlane && IsNamed(changed, p)).ToArray();
         }
 
         public EditPlan Plan { get; }
@@ -42,18 +56,20 @@ namespace FastPoints.Streaming
         public int StreamedPlanes { get; }
 
         public bool Has(int page, int node) =>
-            page < m_numbers.Count && m_numbers[page] != null && m_numbers[page][node] != NotEdited;
+            page < m_numbers.Count && m_numbers[page] != null && m_numbers[page][node] >= 0;
 
         public EditedNode this[int number] => m_nodes[number];
 
+        public PlaneRange RangeOf(in EditedNode node, int plane) => m_ranges[node.Number * Planes.Count + plane];
+
         // Null if it is shown as stored.
-        public EditedNode Find(int page, int node, in PageView table)
+        public EditedNode? Find(int page, int node, in PageView table)
         {
             AddPage(page, table);
-            return Has(page, node) ? m_nodes[m_numbers[page][node]] : null;
+            return Has(page, node) ? m_nodes[m_numbers[page][node]] : (EditedNode?)null;
         }
 
-        public string PathOf(EditedNode node, bool isComputed) =>
+        public string PathOf(in EditedNode node, bool isComputed) =>
             isComputed ? m_folder.PathOfComputed(node.Page) : m_folder.PathOf(node.Page);
 
         // A page that was built from a table; perhaps not for the first time.
@@ -62,7 +78,7 @@ namespace FastPoints.Streaming
             AddPage(page, table);
             var numbers = m_numbers[page];
             for (int n = 0; n < numbers.Length; n++)
-                for (int p = 0; p < StreamedPlanes && numbers[n] != NotEdited; p++)
+                for (int p = 0; p < StreamedPlanes && numbers[n] >= 0; p++)
                     built.Planes[n * StreamedPlanes + p] = new PlaneRange
                     {
                         OffsetBytes = numbers[n],
@@ -77,32 +93,33 @@ namespace FastPoints.Streaming
             if (m_numbers[page] != null)
                 return;
             var numbers = m_numbers[page] = new int[table.NodeCount];
-            for (int n = 0; n < numbers.Length; n++)
+            for (int n = 0, tries = MaxTries; n < numbers.Length; n++)
             {
                 var record = table.Nodes[n];
-                numbers[n] = NotEdited;
-                if (record.PlaneBlocks == 0 || !Plan.MayReachAny(record.Cube))
+                // What reaches a node reaches its parent, which comes before it.
+                bool isReached = (record.Parent < 0 || numbers[record.Parent] != NotEdited) &&
+                    Plan.Reaches.Any(EditShape.Of(record.Cube), ref tries);
+                numbers[n] = !isReached ? NotEdited : record.PlaneBlocks == 0 ? Empty : m_nodes.Count;
+                if (numbers[n] < 0)
                     continue;
-                numbers[n] = m_nodes.Count;
-                var ranges = new PlaneRange[Planes.Count];
-                for (int p = 0; p < ranges.Length; p++)
-                    ranges[p] = table.RangeOf(n, Planes[p]);
+                for (int p = 0; p < Planes.Count; p++)
+                    m_ranges.Add(table.RangeOf(n, Planes[p]));
                 m_nodes.Add(new EditedNode
                 {
+                    Number = numbers[n],
                     Page = page,
                     Corner = record.Corner,
                     IsWide = record.IsWide,
                     BlockCount = record.PlaneBlocks,
-                    Ranges = ranges,
                 });
             }
         }
 
         // Fewer points of a block never take more; other values may.
-        public long MaxBytesOf(EditedNode node, int plane, int points)
+        public long MaxBytesOf(in EditedNode node, int plane, int points)
         {
             if (!IsChanged(plane))
-                return node.Ranges[plane].LengthBytes;
+                return RangeOf(node, plane).LengthBytes;
             var of = Layout.Planes[Planes[plane]];
             long words = (long)node.BlockCount * (of.Shape.DescriptorWords + of.ColumnCount);
             for (int c = of.FirstColumn; c < of.FirstColumn + of.ColumnCount; c++)
@@ -111,7 +128,7 @@ namespace FastPoints.Streaming
         }
 
         // Among Planes.
-        public bool IsChanged(int plane) => plane > 0 && IsNamed(Plan.Changed, Planes[plane]);
+        public bool IsChanged(int plane) => m_isChanged[plane];
 
         bool IsNamed(PointSchema schema, int plane)
         {

@@ -60,7 +60,7 @@ namespace FastPoints.Streaming
         public override void Begin(in HierarchyPage page, int node) =>
             Begin(m_nodes[(int)page.Planes[node * m_nodes.StreamedPlanes].OffsetBytes]);
 
-        public void Begin(EditedNode node)
+        public void Begin(in EditedNode node)
         {
             m_node = node;
             Reserve();
@@ -128,7 +128,7 @@ namespace FastPoints.Streaming
             long bytes = 0, packed = 0;
             for (int p = 0; p < m_ranges.Length; p++)
             {
-                m_ranges[p] = m_node.Ranges[p];
+                m_ranges[p] = m_nodes.RangeOf(m_node, p);
                 m_shapes[p] = m_nodes.Layout.ShapeOf(m_nodes.Planes[p], m_node.IsWide);
                 bytes += m_ranges[p].LengthBytes;
                 if (p < m_nodes.StreamedPlanes)

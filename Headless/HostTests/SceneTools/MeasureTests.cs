@@ -1,77 +1,10 @@
-using System.Diagnostics;
 using UnityEditor.SceneManagement;
 using PointCloud = FastPoints.Entities.PointCloud;
 
-namespace FastPoints.HostTests.Editor;
+namespace FastPoints.HostTests.SceneTools;
 
-public sealed class MeasureTests : ScratchTests
+public sealed class MeasureTests : SceneToolFixture
 {
-    string m_path;
-    CloudFolder m_folder;
-    World m_world;
-    GameObject m_scene;
-    PointCloud m_cloud;
-
-    [OneTimeSetUp]
-    public void MakeCloud()
-    {
-        m_path = Scratch.Converted(points: 20_000);
-        m_folder = CloudFolder.Open(m_path);
-    }
-
-    [OneTimeTearDown]
-    public void DeleteCloud() => m_folder.Dispose();
-
-    [SetUp]
-    public void MakeScene()
-    {
-        System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(ScenePicking).TypeHandle);
-        m_world = CloudWorld.Make();
-        m_scene = new GameObject("scan");
-        m_cloud = m_scene.AddComponent<PointCloud>();
-        m_cloud.Path = m_path;
-        CloudWorld.Turn(m_scene.transform);
-        Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity));
-        Frames(() => true);
-    }
-
-    [TearDown]
-    public void EndScene()
-    {
-        UnityEngine.Object.DestroyImmediate(m_scene);
-        if (m_world.IsCreated)
-            m_world.Dispose();
-        Event.current = null;
-    }
-
-    void Frames(Func<bool> isDone)
-    {
-        CloudWorld.Frames(m_world, isDone);
-        SceneLoop.Update();
-        m_world.Update();
-    }
-
-    double3 WorldOf(double3 geo)
-    {
-        var space = m_world.EntityManager.GetComponentData<PointCloudSpace>(m_cloud.Entity).Value.FromGeo(geo);
-        return new double3(100 + 2 * space.z, 50 + 2 * space.y, -30 - 2 * space.x);
-    }
-
-    PointQuery Down(double east = 0)
-    {
-        var bounds = m_folder.Manifest.BoundsGeo;
-        var above = WorldOf(new double3(bounds.Center.xy + new double2(east, 0), bounds.Max.z + 10));
-        // The scan is a thin one: wide enough to hit something anywhere.
-        return PointQuery.FromEye(above, new double3(0, -1, 0), 100, 100);
-    }
-
-    StreamPick Find(ScenePicker picker, PointQuery ray)
-    {
-        Assert.That(picker.Begin(ray), Is.True);
-        Frames(() => picker.Update());
-        return picker.Pick;
-    }
-
     [Test]
     public void ScenePicker_RotatedAndScaledCloud_ReportsCoordinatesOfTheFile()
     {
@@ -303,18 +236,10 @@ public sealed class MeasureTests : ScratchTests
     [Test]
     public void MeasureTool_TwoClicks_ReportBothPointsAndTheDistance()
     {
-        var view = ScriptableObject.CreateInstance<SceneView>();
-        view.camera = new GameObject("camera").AddComponent<UnityEngine.Camera>();
-        view.camera.targetTexture = new RenderTexture(new RenderTextureDescriptor(100, 100));
-        view.camera.projectionMatrix = Matrix4x4.Perspective(60, 1, 0.1f, 1000);
+        var view = NewView();
         var tool = ScriptableObject.CreateInstance<MeasureTool>();
         tool.Activate();
-        void Send(Event sent)
-        {
-            GUILayoutUtility.Send(new Event { type = EventType.Layout }, () => tool.OnToolGUI(view));
-            HandleUtility.nearestControl = GUIUtility.LastControl + 1;
-            GUILayoutUtility.Send(sent, () => tool.OnToolGUI(view));
-        }
+        void Send(Event sent) => SceneToolFixture.Send(tool, view, sent);
         void Click(double east)
         {
             float3 eye;
@@ -421,147 +346,5 @@ public sealed class MeasureTests : ScratchTests
         Assert.That(parallel.RadiusAt(10), Is.EqualTo(1).Within(1e-6));
         Assert.That(parallel.OriginWorld, Is.EqualTo(new double3(3, 4, 0.5)));
         UnityEngine.Object.DestroyImmediate(camera.gameObject);
-    }
-
-    [SetUp]
-    public void Listen()
-    {
-        System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(CloudEdits).TypeHandle);
-        // Other tests end what listens.
-        if (EditorApplication.update?.GetInvocationList().Any(d => d.Method.DeclaringType == typeof(CloudEdits)) != true)
-            CloudEdits.Listen();
-    }
-
-    [TearDown]
-    public void EndEdits()
-    {
-        for (var watch = Stopwatch.StartNew(); CloudEdits.IsBusy && watch.Elapsed.TotalSeconds < 10; Thread.Yield())
-            EditorApplication.update?.Invoke();
-        File.Delete(EditJournal.PathOf(m_path));
-        Undo.Clear();
-    }
-
-    EditJournal Journal => EditJournal.Read(m_path, m_folder.Manifest.CloudId);
-
-    FolderSource Shown => m_cloud.Number < 0 ? null
-        : (FolderSource)m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream.Clouds[m_cloud.Number].Source;
-
-    void WaitForEdits(int count)
-    {
-        var watch = Stopwatch.StartNew();
-        string State() => CloudEdits.IsBusy + ", " + Journal.Count + ", " + (Shown?.Edits?.Operations.Count ?? 0);
-        string wanted = "False, " + count + ", " + count;
-        // This world has no systems that stream.
-        using var views = new NativeArray<StreamView>(1, Allocator.Persistent) { [0] = StreamView.Everything(1) };
-        var stream = m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
-        Frames(() =>
-        {
-            FrameStep.Run(stream, views);
-            return State() == wanted || watch.Elapsed.TotalSeconds > 10;
-        });
-        Assert.That(State(), Is.EqualTo(wanted));
-    }
-
-    static SceneView NewView()
-    {
-        var view = ScriptableObject.CreateInstance<SceneView>();
-        view.camera = new GameObject("camera").AddComponent<UnityEngine.Camera>();
-        view.camera.targetTexture = new RenderTexture(new RenderTextureDescriptor(100, 100));
-        view.camera.projectionMatrix = Matrix4x4.Perspective(60, 1, 0.1f, 1000);
-        return view;
-    }
-
-    static void Send(EditTool tool, SceneView view, Event sent)
-    {
-        // Unity's numbers of controls are the same from event to event.
-        int before = GUIUtility.LastControl;
-        GUILayoutUtility.Send(new Event { type = EventType.Layout }, () => tool.OnToolGUI(view));
-        GUIUtility.LastControl = before;
-        HandleUtility.nearestControl = GUIUtility.LastControl + 1;
-        GUILayoutUtility.Send(sent, () => tool.OnToolGUI(view));
-        GUIUtility.LastControl = before;
-    }
-
-    [Test]
-    public void EditTool_Stroke_IsOneOperationThatUndoTakesBack()
-    {
-        var view = NewView();
-        var tool = ScriptableObject.CreateInstance<EditTool>();
-        tool.Activate();
-        try
-        {
-            StreamPick first;
-            using (var picker = new ScenePicker())
-                first = Find(picker, Down());
-            foreach (var type in new[] { EventType.MouseDown, EventType.MouseDrag, EventType.MouseUp })
-            {
-                var eye = (float3)first.Point.PositionWorld + new float3(0, 1, 0);
-                view.camera.transform.position = new Vector3(eye.x, eye.y, eye.z);
-                HandleUtility.PointedAlong = new Ray(view.camera.transform.position + new Vector3(0, -0.1f, 0),
-                    new Vector3(0, -1, 0));
-                var sent = new Event { type = type };
-                Send(tool, view, sent);
-                Assert.That(sent.type, Is.EqualTo(EventType.Used), type.ToString());
-                if (type != EventType.MouseUp)
-                    Frames(() => tool.Session.Stroke.Count > 0);
-                Send(tool, view, new Event { type = EventType.Repaint });
-            }
-            WaitForEdits(1);
-            Assert.That(tool.Session.Note, Is.Null);
-            Assert.That(Journal.Operations[0].Action, Is.EqualTo(EditAction.Delete));
-            Assert.That(Journal.Operations[0].Balls.Count, Is.InRange(1, 2));
-            Assert.That(Journal.Operations[0].PointsChanged, Is.Positive);
-            using (var picker = new ScenePicker())
-                Assert.That(Find(picker, Down()).Point.Position, Is.Not.EqualTo(first.Point.Position));
-
-            Undo.PerformUndo();
-            WaitForEdits(0);
-            using (var picker = new ScenePicker())
-                Assert.That(Find(picker, Down()).Point.Position, Is.EqualTo(first.Point.Position));
-            // A redo restores the field, and says so.
-            EditPositions.instance.Counts[Array.IndexOf(EditPositions.instance.Clouds, m_path)] = 1;
-            Undo.undoRedoPerformed();
-            WaitForEdits(1);
-        }
-        finally
-        {
-            tool.Deactivate();
-            UnityEngine.Object.DestroyImmediate(view.camera.gameObject);
-        }
-    }
-
-    [Test]
-    public void EditSession_Box_ChangesWhatLiesInItHoweverTheCloudIsTurned()
-    {
-        Assert.That(m_cloud.TryGetLocalBounds(out var bounds), Is.True);
-        using var session = new EditSession { Action = EditAction.Classify, Class = 17 };
-        // The half of it that Unity's x says.
-        var half = new Bounds(bounds.center + new Vector3(bounds.size.x / 4, 0, 0),
-            new Vector3(bounds.size.x / 2, bounds.size.y * 2, bounds.size.z * 2));
-        session.ApplyBox(m_cloud, half);
-        Assert.That(session.Note, Is.Null);
-        WaitForEdits(1);
-        var operation = Journal.Operations[0];
-        Assert.That(operation.Value, Is.EqualTo(new byte[] { 17 }));
-        Assert.That(operation.PointsChanged, Is.InRange(4_000, 16_000));
-        var box = operation.Boxes[0];
-        var grid = m_folder.Manifest.Grid;
-        Assert.That(m_cloud.TryGetSpace(out var space), Is.True);
-        foreach (var corner in new[] { box.A, box.B })
-        {
-            var local = space.FromGeo(grid.ToGeo(corner));
-            Assert.That(math.abs(local.x - half.center.x), Is.EqualTo(half.size.x / 2).Within(0.05));
-        }
-    }
-
-    [Test]
-    public void EditSession_CloudThatIsNotShown_SaysSo()
-    {
-        using var session = new EditSession();
-        m_cloud.enabled = false;
-        session.ApplyBox(m_cloud, new Bounds(default, new Vector3(1, 1, 1)));
-        Assert.That(session.Note, Does.Contain("not shown"));
-        Assert.That(CloudEdits.IsBusy, Is.False);
-        m_cloud.enabled = true;
     }
 }
