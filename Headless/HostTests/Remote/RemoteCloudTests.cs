@@ -390,6 +390,30 @@ public sealed class RemoteCloudTests : ScratchTests
     }
 
     [Test]
+    public void Queries_OfAnAddressWhereReadsFailOnce_AreThoseOfAllPoints()
+    {
+        using var stream = Stream();
+        Add(stream, Source(Address));
+        using var queries = new PointCloudQueries(stream);
+        Until(stream, stats => stats.IsSettled, "the picture", 1e9);
+        int failures = 2;
+        m_server.Plan = _ => Interlocked.Decrement(ref failures) >= 0 ? Fault.Missing404 : Fault.None;
+        _ = queries.Resident;
+        Until(stream, _ =>
+        {
+            queries.Update();
+            return queries.IsComplete;
+        }, "the copies", 1e9);
+        Assert.That(failures, Is.Negative);
+        Assert.That(queries.Resident.Count(PointQuery.Nearest(default)), Is.EqualTo(Points));
+        var wanted = new List<PointHit>();
+        JobCoroutine.RunToEnd(queries.FindInFullDetail(PointQuery.Nearest(default), 10, wanted));
+        using var hits = new NativeArray<PointHit>(10, Allocator.Persistent);
+        Assert.That(queries.Resident.Find(PointQuery.Nearest(default), hits), Is.EqualTo(10));
+        Assert.That(hits.Select(hit => hit.Position), Is.EqualTo(wanted.Select(hit => hit.Position)));
+    }
+
+    [Test]
     public void Fly_AnAddress_SaysWhenItWasThere()
     {
         var call = CliCall.Of("fly", Address, "--frames", "90", "--json", "-");

@@ -273,6 +273,46 @@ namespace FastPoints.Tests.Queries
         }
 
         [Test]
+        public void Update_WhileAJobReads_TheCopiesStay()
+        {
+            using var stream = new QueryTestStream(Open());
+            using var counted = new NativeReference<long>(Allocator.Persistent);
+            s_gate.Reset();
+            var job = new CountBehindGateJob { Points = stream.Settle(), Counted = counted }.Schedule();
+            try
+            {
+                stream.Queries.AddReader(job);
+                long bytes = stream.Queries.Bytes;
+                stream.Stream.Remove(stream.Cloud);
+                for (int frame = 0; frame < 10; frame++)
+                    stream.Frame();
+                Assert.That(stream.Queries.Bytes, Is.EqualTo(bytes));
+            }
+            finally
+            {
+                s_gate.Set();
+                job.Complete();
+            }
+            Assert.That(counted.Value, Is.EqualTo(30_000));
+            stream.Frame();
+            Assert.That(stream.Queries.Bytes, Is.Zero);
+        }
+
+        static readonly ManualResetEventSlim s_gate = new ManualResetEventSlim();
+
+        struct CountBehindGateJob : IJob
+        {
+            [ReadOnly] public ResidentPoints Points;
+            public NativeReference<long> Counted;
+
+            public void Execute()
+            {
+                s_gate.Wait();
+                Counted.Value = Points.Count(PointQuery.Nearest(default));
+            }
+        }
+
+        [Test]
         public void Dispose_AtAnyTime_LeavesNothing()
         {
             UnsafeUtility.ForgiveLeaks();
