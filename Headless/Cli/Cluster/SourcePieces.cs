@@ -44,6 +44,7 @@ sealed class SourcePieces
 
     void AddTiles(TiledReader tiles)
     {
+        Files.Capacity = Pieces.Capacity = tiles.TileCount;
         for (int t = 0; t < tiles.TileCount; t++)
         {
             var tile = tiles.TileOf(t);
