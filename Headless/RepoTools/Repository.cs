@@ -10,6 +10,7 @@ public sealed class Repository(string root)
     public string PackageRoot => Path.Combine(Root, "Packages", "com.fastpoints.dots");
     public string Headless => Path.Combine(Root, "Headless");
     public string StandIns => Path.Combine(Root, "UnityOutside", "StandIns");
+    public string PhysicsApi => Path.Combine(Headless, "Api", "com.unity.physics.tsv"); // What the full list lacks.
     public string UsedApi => Path.Combine(Headless, "Api", "used.tsv");
     public string UsedThreads => Path.Combine(Headless, "Api", "threads.tsv");
     public string Behaviour => Path.Combine(Headless, "Api", "behaviour.tsv");

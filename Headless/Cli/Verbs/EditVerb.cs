@@ -17,8 +17,7 @@ public sealed class EditVerb : Verb
     readonly Option<string?> m_lasso = new("--lasso")
     {
         HelpName = "x,y,z,...",
-        Description = "Only points that an eye, the first position, sees through the polygon of three or more others, as if "
-            + "nothing hid them.",
+        Description = "Only points that an eye, the first position, sees through the polygon of the others, at any depth.",
     };
     readonly FilterSettings m_filter;
     readonly Option<bool> m_hide = new("--hide") { Description = "Do not show these points; export and convert keep them." };
@@ -136,13 +135,12 @@ public sealed class EditVerb : Verb
 
     static void AddLasso(EditOperation operation, CloudGrid grid, string lasso, bool hasPolygons)
     {
-        if (hasPolygons)
-            throw new UsageException("--lasso: an edit has a lasso or polygons");
         double[] of = PictureSettings.ParseNumbers(lasso);
         var positions = Enumerable.Range(0, of.Length / 3).Select(i => new double3(of[3 * i], of[3 * i + 1], of[3 * i + 2]));
-        if (of.Length % 3 != 0 || of.Length == 0 ||
+        if (of.Length % 3 != 0 || of.Length == 0 || hasPolygons ||
             operation.SetLasso(grid, new double4(positions.First(), 1), positions.Skip(1).ToList()) is not null)
-            throw new UsageException("--lasso: wanted an eye and at least three positions around what it sees, got " + lasso);
+            throw new UsageException("--lasso: wanted an eye, three positions or more around what it sees, no polygons; got "
+                + lasso);
     }
 
     /// <summary>As a prism along Z; vertices lie on the nearest part of the grid's steps.</summary>

@@ -41,6 +41,6 @@ public sealed class PackageConformanceTests(string generation)
     {
         if (!Directory.Exists(Checkout.Repository.FullApi))
             Assert.Ignore($"no list of Unity's signatures in {Checkout.Repository.FullApi}");
-        return UnityApi.LoadFull(Checkout.Repository.FullApi);
+        return UnityApi.LoadFull(Checkout.Repository.FullApi, Checkout.Repository.PhysicsApi);
     }
 }

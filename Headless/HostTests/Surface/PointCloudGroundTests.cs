@@ -58,6 +58,12 @@ public sealed class PointCloudGroundTests : ScratchTests
         Assert.That(PointCloudGround.IsReady(m_world, m_cloud, place, 1), Is.True);
     }
 
+    void Steps(int count)
+    {
+        for (int step = 0; step < count; step++)
+            m_world.Update();
+    }
+
     Entity[] Bodies()
     {
         using var query = m_entities.CreateEntityQuery(typeof(PhysicsCollider), typeof(PhysicsWorldIndex),
@@ -106,12 +112,17 @@ public sealed class PointCloudGroundTests : ScratchTests
             Put(x);
         Assert.That(Bodies(), Is.Not.Empty.And.Length.LessThanOrEqualTo(8));
         Assert.That(Triangles().Min(t => t.A.x), Is.GreaterThan(-17));
-        for (int step = 0; step < 20; step++)
-            m_world.Update();
-        // Of those that are left, and of the builder, no more than before: whoever frees one too early or twice throws.
+        Steps(20);
+        int bodies = Bodies().Length;
         m_entities.DestroyEntity(m_cloud);
-        m_world.Update();
+        Steps(1);
         Assert.That(Bodies(), Is.Empty);
+        // Queries may read the physics world, which is not built again yet.
+        int live = UnsafeUtility.CheckForLeaks();
+        Steps(1);
+        Assert.That(UnsafeUtility.CheckForLeaks(), Is.EqualTo(live));
+        Steps(20);
+        Assert.That(UnsafeUtility.CheckForLeaks(), Is.EqualTo(live - bodies));
     }
 
     [Test]

@@ -13,7 +13,8 @@ public static class ApiCommand
         if (!File.Exists(repository.UsedApi) && check)
             return new ToolResult("nothing committed", new[] { "Headless/Api/used.tsv is not there (RepoTools api writes it)" });
 
-        UnityApi api = hasFull ? UnityApi.LoadFull(repository.FullApi) : UnityApi.LoadUsed(repository.UsedApi);
+        UnityApi api = hasFull ? UnityApi.LoadFull(repository.FullApi, repository.PhysicsApi)
+            : UnityApi.LoadUsed(repository.UsedApi);
         List<string> problems = Check(repository, api);
         if (check)
             problems.AddRange(UnusedStandIns.Check(repository));

@@ -12,7 +12,7 @@ public unsafe struct BlobAssetReference<T> : IDisposable where T : unmanaged
 
     public static BlobAssetReference<T> Create(void* ptr, int length)
     {
-        var created = new BlobAssetReference<T> { m_data = UnsafeUtility.Malloc(length, 16, Allocator.Persistent) };
+        var created = new BlobAssetReference<T> { m_data = UnsafeUtility.MallocTracked(length, 16, Allocator.Persistent, 0) };
         UnsafeUtility.MemCpy(created.m_data, ptr, length);
         return created;
     }
@@ -21,7 +21,7 @@ public unsafe struct BlobAssetReference<T> : IDisposable where T : unmanaged
     {
         if (m_data == null)
             throw new InvalidOperationException("The BlobAssetReference is null.");
-        UnsafeUtility.Free(m_data, Allocator.Persistent);
+        UnsafeUtility.FreeTracked(m_data, Allocator.Persistent);
         m_data = null;
     }
 }

@@ -34,7 +34,4 @@ public struct PhysicsCollider : IComponentData
     public BlobAssetReference<Collider> Value;
 }
 
-public struct PhysicsWorldIndex : ISharedComponentData
-{
-    public uint Value;
-}
+public struct PhysicsWorldIndex : ISharedComponentData { }

@@ -26,7 +26,7 @@ public sealed class UnityApi
     public IEnumerable<ApiRow> Touched => m_touched.Values;
 
     /// <summary>Every *.tsv.gz of a folder, but for the table of threads, which has columns of its own.</summary>
-    public static UnityApi LoadFull(string folder)
+    public static UnityApi LoadFull(string folder, params string[] more)
     {
         var api = new UnityApi("Unity's published signatures");
         foreach (string file in Directory.GetFiles(folder, "*.tsv.gz").OrderBy(f => f, StringComparer.Ordinal)
@@ -35,6 +35,8 @@ public sealed class UnityApi
             using var lines = new StreamReader(new GZipStream(File.OpenRead(file), CompressionMode.Decompress));
             api.Add(lines);
         }
+        foreach (string file in more)
+            api.Add(new StringReader(File.ReadAllText(file)));
         if (api.m_rows.Count == 0)
             throw new FileNotFoundException($"no *.tsv.gz in {folder}");
         return api;

@@ -87,16 +87,15 @@ namespace FastPoints.Editor
             var shown = SceneExport.FindStreamed(cloud, out _);
             if (Lasso.Count == 0 || !CanEdit(shown))
                 return;
-            double3 from = GeoOf(shown, Lasso[0].OriginWorld), along = GeoOf(shown, PositionOn(Lasso[0])) - from;
+            var corners = Lasso.ConvertAll(ray => GeoOf(shown, ray.OriginWorld + ray.DirectionWorld));
+            var from = GeoOf(shown, Lasso[0].OriginWorld);
             // Rays of an eye widen.
-            var eye = Lasso[0].RadiusPerUnit > 0 ? new double4(from, 1) : new double4(-along, 0);
+            var eye = Lasso[0].RadiusPerUnit > 0 ? new double4(from, 1) : new double4(from - corners[0], 0);
             var operation = NewOperation();
-            Note = operation.SetLasso(shown.Source.Grid, eye, Lasso.ConvertAll(ray => GeoOf(shown, PositionOn(ray))));
+            Note = operation.SetLasso(shown.Source.Grid, eye, corners);
             if (Note == null)
                 Begin(shown, operation);
         }
-
-        static double3 PositionOn(PointQuery ray) => ray.OriginWorld + ray.DirectionWorld;
 
         static double3 GeoOf(StreamedCloud shown, double3 world) => shown.Source.Grid.ToGeo(shown.Source.Root.Corner) +
             math.mul(math.inverse(shown.Placement.Linear), world - shown.Placement.OriginWorld);

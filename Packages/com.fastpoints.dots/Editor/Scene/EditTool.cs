@@ -15,9 +15,7 @@ namespace FastPoints.Editor
     [EditorTool("Edit points")]
     internal sealed class EditTool : PointTool<EditSession>
     {
-        const int Brush = 0;
-        const int Box = 1;
-        const int Lasso = 2;
+        const int Brush = 0, Box = 1, Lasso = 2;
 
         static readonly string[] s_shapes = { "Brush", "Box", "Lasso" };
         static readonly string[] s_actions = { "Hide", "Delete", "Classify", "Colour" };
@@ -51,15 +49,15 @@ namespace FastPoints.Editor
 
         protected override bool Escape(bool isPressed)
         {
-            if (!isPressed)
-                return false;
-            GUIUtility.hotControl = 0;
-            Session.ClearStroke();
-            Session.Lasso.Clear();
-            return true;
+            if (isPressed)
+            {
+                GUIUtility.hotControl = 0;
+                Session.ClearStroke();
+                Session.Lasso.Clear();
+            }
+            return isPressed;
         }
 
-        // Null rather than one that Unity has destroyed.
         static PointCloud Selected => SceneExport.Selected != null ? SceneExport.Selected : null;
 
         protected override void DrawMarks(Vector3 toCamera)

@@ -83,7 +83,6 @@ namespace FastPoints.Editor
             return new Vector3(at.x, at.y, at.z);
         }
 
-        /// <summary>Called once an update of the editor; says whether there is something new to be drawn.</summary>
         protected abstract bool Advance(double budgetMs);
 
         protected abstract void DrawPanel();
@@ -98,7 +97,6 @@ namespace FastPoints.Editor
 
         protected virtual void Release() { }
 
-        /// <returns>Whether there was something to drop.</returns>
         protected abstract bool Escape(bool isPressed);
 
         void Update()

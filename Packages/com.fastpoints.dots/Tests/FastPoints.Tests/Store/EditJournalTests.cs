@@ -239,11 +239,10 @@ namespace FastPoints.Tests.Store
                 Assert.That(sum.CompareTo(Signed128.Product(d, c)), Is.EqualTo(wanted.CompareTo(second)));
                 long clamped = (long)BigInteger.Max(-5, BigInteger.Min(long.MaxValue - 1, wanted));
                 Assert.That(sum.Clamp(-5, long.MaxValue - 1), Is.EqualTo(clamped));
-                if (second <= 0 || second >> 90 > 0)
-                    continue;
-                var quotient = BigInteger.Divide(wanted, second) - (wanted < 0 && !(wanted % second).IsZero ? 1 : 0);
-                Assert.That(sum.Over(Signed128.Product(c, d), -(1L << 31), 1L << 31),
-                    Is.EqualTo((long)BigInteger.Max(-(1L << 31), BigInteger.Min(1L << 31, quotient))));
+                var quotient = second.IsZero ? 0 : (wanted - (wanted % second + second) % second) / second;
+                if (second > 0 && second >> 90 == 0)
+                    Assert.That(sum.Over(Signed128.Product(c, d), -(1L << 31), 1L << 31),
+                        Is.EqualTo((long)BigInteger.Max(-(1L << 31), BigInteger.Min(1L << 31, quotient))));
             }
         }
 

@@ -106,11 +106,11 @@ namespace FastPoints.Store
         public bool MaySee(in EditShape box) => !Prism.IsUsed || Prism.TryProject(box, out _);
 
         // Whether any of the shapes holds as much of a box, if there are any.
-        public static bool Reach(List<EditShape> shapes, in EditShape box, EditReach least)
+        public static bool Reach(List<EditShape> shapes, in EditShape box, EditReach reach)
         {
             bool isReached = shapes.Count == 0;
             for (int i = 0; i < shapes.Count && !isReached; i++)
-                isReached = shapes[i].ReachOf(box) >= least;
+                isReached = shapes[i].ReachOf(box) >= reach;
             return isReached;
         }
 

@@ -57,9 +57,9 @@ namespace FastPoints.Store
         public static EditShape OfPoints(in NodeRecord node)
         {
             int at = node.BoundsShift;
-            var end = new Grid3(node.MaxX + 1L << at, node.MaxY + 1L << at, node.MaxZ + 1L << at) - new Grid3(1, 1, 1);
-            var min = new Grid3((long)node.MinX << at, (long)node.MinY << at, (long)node.MinZ << at);
-            return new EditShape { A = node.Corner + min, B = node.Corner + end };
+            var min = node.Corner + new Grid3((long)node.MinX << at, (long)node.MinY << at, (long)node.MinZ << at);
+            var end = node.Corner + new Grid3(node.MaxX + 1L << at, node.MaxY + 1L << at, node.MaxZ + 1L << at);
+            return new EditShape { A = min, B = end - new Grid3(1, 1, 1) };
         }
 
         public readonly EditShape Bounds => IsBall ? new EditShape { A = A - B, B = A + B } : this;

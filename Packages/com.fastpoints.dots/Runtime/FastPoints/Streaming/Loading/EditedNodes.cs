@@ -26,8 +26,7 @@ namespace FastPoints.Streaming
         const int NotEdited = -1;
         const int Empty = -2; // Reached, though without planes of its own.
 
-        // Of prisms at the nodes of a page, which has some 500: under 4 ms of the main thread. Nodes that were not tried are made
-        // anew though they stay as they are.
+        // Of prisms at nodes of a page: some ms. Other nodes are made anew, changed or not.
         const int MaxTries = 4096;
 
         readonly CloudFolder m_folder;
