@@ -1,7 +1,5 @@
 using System.CommandLine.Help;
 using System.CommandLine.Invocation;
-using System.CommandLine.Parsing;
-using FastPoints.Cli.Verbs;
 using StandIns.Engine;
 
 namespace FastPoints.Cli;

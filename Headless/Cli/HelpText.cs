@@ -1,5 +1,3 @@
-using FastPoints.Cli.Verbs;
-
 namespace FastPoints.Cli;
 
 /// <summary>What <c>--help</c> says: from the commands themselves, so that it cannot lag behind them.</summary>

@@ -59,14 +59,12 @@ namespace FastPoints.MonoTests
         {
             try
             {
-                using (PointReader reader = PointReaders.Open(source))
-                {
-                    JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, target,
-                        new ConvertSettings { Sampler = sampler }, _ => { }, null));
-                    string reported = string.Join("\n",
-                        reader.Info.Facts.Select(f => f.ToString()).Concat(reader.Info.Warnings.Select(w => w.Text)));
-                    return Hashes(target) + " told:" + Hash(System.Text.Encoding.UTF8.GetBytes(reported));
-                }
+                using PointReader reader = PointReaders.Open(source);
+                JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, target,
+                    new ConvertSettings { Sampler = sampler }, _ => { }, null));
+                string reported = string.Join("\n",
+                    reader.Info.Facts.Select(f => f.ToString()).Concat(reader.Info.Warnings.Select(w => w.Text)));
+                return Hashes(target) + " told:" + Hash(System.Text.Encoding.UTF8.GetBytes(reported));
             }
             catch (PointCloudException e)
             {

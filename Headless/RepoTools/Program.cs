@@ -5,7 +5,6 @@ using FastPoints.RepoTools.Hlsl;
 using FastPoints.RepoTools.House;
 using FastPoints.RepoTools.Meta;
 using FastPoints.RepoTools.Package;
-using FastPoints.RepoTools.Reference;
 using FastPoints.RepoTools.Threads;
 
 namespace FastPoints.RepoTools;

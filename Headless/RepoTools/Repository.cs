@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace FastPoints.RepoTools;
 
 public sealed class Repository(string root)

@@ -1,5 +1,3 @@
-using System.Text.RegularExpressions;
-
 namespace FastPoints.Cli.Bench;
 
 public static class BenchReport

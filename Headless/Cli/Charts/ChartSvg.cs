@@ -1,5 +1,3 @@
-using System.Net;
-
 namespace FastPoints.Cli.Charts;
 
 public static class ChartSvg

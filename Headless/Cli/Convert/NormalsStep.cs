@@ -1,5 +1,3 @@
-using FastPoints.Build;
-
 namespace FastPoints.Cli.Convert;
 
 public sealed class NormalsStep

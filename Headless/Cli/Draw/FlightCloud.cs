@@ -1,6 +1,3 @@
-using FastPoints.Sampling;
-using FastPoints.Sources;
-
 namespace FastPoints.Cli.Draw;
 
 sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)

@@ -1,5 +1,3 @@
-using System.Text.RegularExpressions;
-
 namespace FastPoints.Cli.Draw;
 
 sealed partial class FlightOutput : IDisposable

@@ -1,7 +1,6 @@
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
-using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.Cli.Draw;
 

@@ -1,5 +1,4 @@
 using UnityEngine;
-using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.Cli.Draw;
 

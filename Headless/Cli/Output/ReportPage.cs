@@ -1,5 +1,3 @@
-using System.Net;
-
 namespace FastPoints.Cli.Output;
 
 public sealed class ReportPage(string title, string? lead = null)

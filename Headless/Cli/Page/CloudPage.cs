@@ -1,5 +1,3 @@
-using FastPoints.Cli.Convert;
-
 namespace FastPoints.Cli.Page;
 
 sealed class CloudPage

@@ -80,21 +80,19 @@ sealed class PartBuild : PartStages
     // A coroutine that is disposed before its first step has opened nothing.
     static IEnumerator<JobStep> Run(Func<PartBuild> open, Action<PartResult> take)
     {
-        using (var part = open())
-        {
-            var build = part.Build;
-            build.Progress?.Begin(BuildStages.Sample);
-            yield return JobStep.Of(part.Partition());
-            yield return JobStep.Of(part.Resume());
-            build.Progress?.Begin(BuildStages.Read);
-            if (part.Checkpoints.Journal.CurrentStage == BuildJournal.Stage.Read)
-                yield return JobStep.Of(part.Read());
-            build.Progress?.Begin(BuildStages.Split);
-            yield return JobStep.Of(new RebalanceChunks(build, part.Scatter, part.Chunks, part.Checkpoints).Run());
-            build.Part.RequireDivisors(part.Scatter.Attributes, build.Target);
-            yield return JobStep.Of(part.WriteNodes(take));
-            build.Progress?.End();
-        }
+        using var part = open();
+        var build = part.Build;
+        build.Progress?.Begin(BuildStages.Sample);
+        yield return JobStep.Of(part.Partition());
+        yield return JobStep.Of(part.Resume());
+        build.Progress?.Begin(BuildStages.Read);
+        if (part.Checkpoints.Journal.CurrentStage == BuildJournal.Stage.Read)
+            yield return JobStep.Of(part.Read());
+        build.Progress?.Begin(BuildStages.Split);
+        yield return JobStep.Of(new RebalanceChunks(build, part.Scatter, part.Chunks, part.Checkpoints).Run());
+        build.Part.RequireDivisors(part.Scatter.Attributes, build.Target);
+        yield return JobStep.Of(part.WriteNodes(take));
+        build.Progress?.End();
     }
 
     public override void Dispose()

@@ -1,5 +1,3 @@
-using FastPoints.Cli.Draw;
-
 namespace FastPoints.Cli.Preview;
 
 public sealed class PreviewStep

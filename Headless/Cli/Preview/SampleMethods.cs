@@ -12,21 +12,19 @@ public sealed class SampleMethods(Func<PointReader> open, PreviewOptions options
         bool refines = PreviewSampling.Refines(reader);
         int wanted = refines ? RefiningSampler.FirstSamplePoints(reader, options.Points) : options.Points;
         var watch = Stopwatch.StartNew();
-        using (var sampler = new WaveSampler(reader, wanted, options.Seed))
-        {
-            run.RunSteps(sampler.Run(0, run.Progress));
-            var sample = sampler.TakeSample();
-            foreach (var wave in sampler.Waves)
-                measured.Add(wave, secondsToOpen, sample.Points);
-            if (!refines || sample.HasAllPoints)
-                return measured;
-            var ranges = new DisplayRanges();
-            run.RunSteps(ranges.Measure(sample.Points, sample.Transform, options.Picture.UpAxis));
-            using var refining = new RefiningSampler(reader, options.Points, options.Seed, sample, ranges.Robust);
-            double secondsBefore = secondsToOpen + watch.Elapsed.TotalSeconds;
-            refining.WaveReady += wave => measured.Add(wave, secondsBefore, refining.TakeSample().Points);
-            run.RunSteps(refining.Run(0, run.Progress));
-        }
+        using var sampler = new WaveSampler(reader, wanted, options.Seed);
+        run.RunSteps(sampler.Run(0, run.Progress));
+        var sample = sampler.TakeSample();
+        foreach (var wave in sampler.Waves)
+            measured.Add(wave, secondsToOpen, sample.Points);
+        if (!refines || sample.HasAllPoints)
+            return measured;
+        var ranges = new DisplayRanges();
+        run.RunSteps(ranges.Measure(sample.Points, sample.Transform, options.Picture.UpAxis));
+        using var refining = new RefiningSampler(reader, options.Points, options.Seed, sample, ranges.Robust);
+        double secondsBefore = secondsToOpen + watch.Elapsed.TotalSeconds;
+        refining.WaveReady += wave => measured.Add(wave, secondsBefore, refining.TakeSample().Points);
+        run.RunSteps(refining.Run(0, run.Progress));
         return measured;
     });
 

@@ -1,5 +1,3 @@
-using System.CommandLine.Parsing;
-
 namespace FastPoints.Cli.Settings;
 
 /// <summary>Integer options in the usual spellings of large numbers: 2000000, 2,000,000, 2e6, 2M, 500k.</summary>

@@ -1,5 +1,3 @@
-using System.Text.RegularExpressions;
-
 namespace FastPoints.Cli.Settings;
 
 public sealed class LookSettings

@@ -1,5 +1,3 @@
-using FastPoints.Cli.Page;
-
 namespace FastPoints.Cli.Sources;
 
 sealed class Spread

@@ -1,5 +1,3 @@
-using FastPoints.Surface;
-
 namespace FastPoints.Cli.Surfaces;
 
 /// <summary>The surfaces of cells as one: what neighbours have in common is there once.</summary>

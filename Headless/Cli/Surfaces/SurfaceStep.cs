@@ -1,5 +1,3 @@
-using FastPoints.Surface;
-
 namespace FastPoints.Cli.Surfaces;
 
 /// <summary>Makes the surface of a converted cloud: finds the cells that have points, then makes one after another.</summary>

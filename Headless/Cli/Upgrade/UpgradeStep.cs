@@ -1,5 +1,3 @@
-using FastPoints.Cli.Publish;
-
 namespace FastPoints.Cli.Upgrade;
 
 /// <summary>Makes a cloud of today's version of one of version 2, without its sources: the planes' bytes stay. One chunk's nodes

@@ -1,5 +1,3 @@
-using FastPoints.Cli.Convert;
-
 namespace FastPoints.Cli.Verbs;
 
 public sealed class ConvertVerb : Verb

@@ -1,6 +1,3 @@
-using FastPoints.Cli.Convert;
-using FastPoints.Cli.Demo;
-
 namespace FastPoints.Cli.Verbs;
 
 public sealed class DefaultVerb : Verb

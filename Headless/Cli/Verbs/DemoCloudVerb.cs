@@ -1,5 +1,3 @@
-using FastPoints.Cli.Demo;
-
 namespace FastPoints.Cli.Verbs;
 
 public sealed class DemoCloudVerb : Verb

@@ -1,5 +1,3 @@
-using FastPoints.Cli.Publish;
-
 namespace FastPoints.Cli.Verbs;
 
 public sealed class PublishVerb : Verb

@@ -1,5 +1,4 @@
 using FastPoints.Cli.Surfaces;
-using FastPoints.Surface;
 
 namespace FastPoints.Cli.Verbs;
 

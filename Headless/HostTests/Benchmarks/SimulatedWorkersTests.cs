@@ -1,6 +1,3 @@
-using FastPoints.Benchmarks;
-using StandIns.Scheduling;
-
 namespace FastPoints.HostTests.Benchmarks;
 
 [NonParallelizable]

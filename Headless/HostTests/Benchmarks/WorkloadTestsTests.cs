@@ -1,5 +1,3 @@
-using FastPoints.Benchmarks;
-using FastPoints.Cli.Bench;
 using Unity.PerformanceTesting;
 
 namespace FastPoints.HostTests.Benchmarks;

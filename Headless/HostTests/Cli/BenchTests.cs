@@ -1,6 +1,3 @@
-using FastPoints.Benchmarks;
-using FastPoints.Cli.Bench;
-
 namespace FastPoints.HostTests.Cli;
 
 /// <summary>A run of workloads: its results as Unity's package would write them, its page, and runs beside earlier

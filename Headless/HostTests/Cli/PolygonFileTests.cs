@@ -1,5 +1,3 @@
-using FastPoints.Cli.Settings;
-
 namespace FastPoints.HostTests.Cli;
 
 public class PolygonFileTests

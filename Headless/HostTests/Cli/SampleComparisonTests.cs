@@ -1,5 +1,3 @@
-using FastPoints.Cli.Bench;
-
 namespace FastPoints.HostTests.Cli;
 
 public sealed class SampleComparisonTests

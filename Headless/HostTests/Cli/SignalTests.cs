@@ -1,5 +1,3 @@
-using FastPoints.Build;
-
 namespace FastPoints.HostTests.Cli;
 
 public sealed class SignalTests

@@ -1,4 +1,3 @@
-using FastPoints.HostTests.Cli;
 using Json.Schema;
 
 namespace FastPoints.HostTests;

@@ -1,6 +1,4 @@
-using FastPoints.Cli;
 using FastPoints.Cli.Convert;
-using FastPoints.Cli.Settings;
 
 namespace FastPoints.HostTests.Cli;
 

@@ -1,8 +1,3 @@
-using FastPoints.Build;
-using FastPoints.Sampling;
-using Unity.Collections;
-using Unity.Mathematics;
-
 namespace FastPoints.HostTests.Cluster;
 
 /// <summary>A plan of 10^12 points in 1.4 M tiles, by their headers alone: tasks, merges, and what a task reads of the

@@ -1,6 +1,3 @@
-using FastPoints.Tests.Build;
-using FastPoints.Tests.Nodes;
-
 namespace FastPoints.HostTests.Cluster;
 
 /// <summary>Several builds make the chunks that one would.</summary>

@@ -1,6 +1,3 @@
-using FastPoints.Tests.Build;
-using FastPoints.Tests.Nodes;
-
 namespace FastPoints.HostTests.Cluster;
 
 /// <summary>Upper levels and hierarchy that were made in parts are those of one build.</summary>

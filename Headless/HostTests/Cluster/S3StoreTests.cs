@@ -1,5 +1,3 @@
-using FastPoints.HostTests.Remote;
-
 namespace FastPoints.HostTests.Cluster;
 
 /// <summary>Tasks that meet in object storage, which loses answers, breaks off and errs.</summary>

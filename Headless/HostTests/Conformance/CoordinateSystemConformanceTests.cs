@@ -1,5 +1,3 @@
-using FastPoints.Reading;
-
 namespace FastPoints.HostTests.Conformance;
 
 /// <summary>Hard codes and texts from other projects, with units by PROJ's projinfo 9.1.1.</summary>

@@ -1,5 +1,3 @@
-using FastPoints.RepoTools.Layers;
-
 namespace FastPoints.HostTests.Conformance;
 
 [TestFixtureSource(typeof(RepoTools.Repository), nameof(RepoTools.Repository.Generations))]

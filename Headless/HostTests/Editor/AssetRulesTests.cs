@@ -1,5 +1,3 @@
-using UnityEditor.Build;
-
 namespace FastPoints.HostTests.Editor;
 
 public sealed class AssetRulesTests : EditorFixture

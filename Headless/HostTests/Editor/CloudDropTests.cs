@@ -1,4 +1,3 @@
-using UnityEngine.SceneManagement;
 using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Editor;

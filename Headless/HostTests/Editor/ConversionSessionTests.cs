@@ -213,15 +213,13 @@ public sealed class ConversionSessionTests
     [Test]
     public void Tick_SourceShrinksMeanwhile_Fails()
     {
-        using (var session = Begin())
-        {
-            UpdateUntil(session, () => session.Progress.Current == "read");
-            using (var file = new FileStream(m_project.Source, FileMode.Open, FileAccess.Write, FileShare.ReadWrite))
-                file.SetLength(2000);
-            UpdateUntil(session, () => session.IsEnded);
-            Assert.That(session.State, Is.EqualTo(ConversionState.Failed));
-            Assert.That(session.Failure.Message, Does.StartWith(m_project.Source));
-        }
+        using var session = Begin();
+        UpdateUntil(session, () => session.Progress.Current == "read");
+        using (var file = new FileStream(m_project.Source, FileMode.Open, FileAccess.Write, FileShare.ReadWrite))
+            file.SetLength(2000);
+        UpdateUntil(session, () => session.IsEnded);
+        Assert.That(session.State, Is.EqualTo(ConversionState.Failed));
+        Assert.That(session.Failure.Message, Does.StartWith(m_project.Source));
     }
 
     [Test]

@@ -1,6 +1,3 @@
-using FastPoints.Rendering.Hdrp;
-using FastPoints.Rendering.Urp;
-
 namespace FastPoints.HostTests.Editor;
 
 public sealed class EditModePassesTests

@@ -160,41 +160,39 @@ public sealed class InspectorTests
     [Test]
     public void CloudInspector_DuringAConversion_LogsNothing()
     {
-        using (var project = new EditorProject())
+        using var project = new EditorProject();
+        var logged = new List<string>();
+        Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
+        var buttons = new[] { "Pause", "Go on", "Look whether the source has changed", "Verify", "Convert again", "Cancel" };
+        try
         {
-            var logged = new List<string>();
-            Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
-            var buttons = new[] { "Pause", "Go on", "Look whether the source has changed", "Verify", "Convert again", "Cancel" };
-            try
+            project.Imports.CreateAsset(project.Scratch.Demo("scan.las", 20_000), "Assets");
+            var importer = new HandleImporter { Path = "Assets/scan.pointcloud" };
+            var inspector = UnityEditor.Editor.Of<CloudImporterEditor>(importer);
+            void Draw()
             {
-                project.Imports.CreateAsset(project.Scratch.Demo("scan.las", 20_000), "Assets");
-                var importer = new HandleImporter { Path = "Assets/scan.pointcloud" };
-                var inspector = UnityEditor.Editor.Of<CloudImporterEditor>(importer);
-                void Draw()
-                {
-                    inspector.DrawInspector();
-                    project.Imports.Update(DateTime.UtcNow);
-                }
-                ImportProject.Updates(Draw, () => project.Imports.Queue.Requests.Count == 0);
-                foreach (string button in buttons)
-                {
-                    GUILayoutUtility.Send(new Event { type = EventType.Layout }, inspector.OnInspectorGUI);
-                    GUILayout.Pressed = button;
-                    GUILayoutUtility.Send(new Event { type = EventType.MouseUp }, inspector.OnInspectorGUI);
-                    GUILayout.Pressed = null;
-                    Draw();
-                }
-                ImportProject.Updates(Draw,
-                    () => !project.Imports.Verification.IsChecking && project.Imports.Queue.Requests.Count == 0);
-                Object.DestroyImmediate(inspector);
-                Assert.That(logged.Where(l => !l.StartsWith("Log: ")), Is.Empty);
+                inspector.DrawInspector();
+                project.Imports.Update(DateTime.UtcNow);
             }
-            finally
+            ImportProject.Updates(Draw, () => project.Imports.Queue.Requests.Count == 0);
+            foreach (string button in buttons)
             {
+                GUILayoutUtility.Send(new Event { type = EventType.Layout }, inspector.OnInspectorGUI);
+                GUILayout.Pressed = button;
+                GUILayoutUtility.Send(new Event { type = EventType.MouseUp }, inspector.OnInspectorGUI);
                 GUILayout.Pressed = null;
-                Event.current = null;
-                Debug.s_sink = null;
+                Draw();
             }
+            ImportProject.Updates(Draw,
+                () => !project.Imports.Verification.IsChecking && project.Imports.Queue.Requests.Count == 0);
+            Object.DestroyImmediate(inspector);
+            Assert.That(logged.Where(l => !l.StartsWith("Log: ")), Is.Empty);
+        }
+        finally
+        {
+            GUILayout.Pressed = null;
+            Event.current = null;
+            Debug.s_sink = null;
         }
     }
 
@@ -395,45 +393,43 @@ public sealed class InspectorTests
     [Test]
     public void Check_SoundAndDamagedCloud_ReportsIt()
     {
-        using (var project = new EditorProject())
+        using var project = new EditorProject();
+        var logged = new List<string>();
+        Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
+        try
         {
-            var logged = new List<string>();
-            Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
-            try
+            var asset = project.Imports.CreateAsset(project.Scratch.Demo("scan.las", 20_000), "Assets");
+            project.UpdateToTheEnd();
+            string path = project.Paths.Absolute(asset.ProjectPath);
+            CloudVerification Verify()
             {
-                var asset = project.Imports.CreateAsset(project.Scratch.Demo("scan.las", 20_000), "Assets");
-                project.UpdateToTheEnd();
-                string path = project.Paths.Absolute(asset.ProjectPath);
-                CloudVerification Verify()
-                {
-                    project.Imports.Verification.Begin(path);
-                    ImportProject.Updates(() => project.Imports.Update(DateTime.UtcNow),
-                        () => !project.Imports.Verification.IsChecking);
-                    return project.Imports.Verification.Check;
-                }
-                Assert.That(Verify().Describe(), Is.EqualTo("20,000 points are as they were converted"));
-                Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Succeeded));
-
-                string damaged = Directory.GetFiles(path, "*.bin", SearchOption.AllDirectories)
-                    .OrderByDescending(f => new FileInfo(f).Length).First();
-                var bytes = File.ReadAllBytes(damaged);
-                bytes[bytes.Length / 2] ^= 4;
-                File.WriteAllBytes(damaged, bytes);
-                Assert.That(Verify().Describe(), Does.Match("^\\d+ problems:\n.*\\.bin"));
-                Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Failed));
-                Assert.That(logged.Last(), Does.StartWith("Error: FastPoints: " + path));
-
                 project.Imports.Verification.Begin(path);
-                Assert.That(Progress.Cancel(Progress.Entries.Count - 1), Is.True);
-                Assert.That(project.Imports.Verification.IsChecking, Is.False);
-                project.Imports.Verification.Begin(path);
-                project.Imports.Suspend();
-                Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
+                ImportProject.Updates(() => project.Imports.Update(DateTime.UtcNow),
+                    () => !project.Imports.Verification.IsChecking);
+                return project.Imports.Verification.Check;
             }
-            finally
-            {
-                Debug.s_sink = null;
-            }
+            Assert.That(Verify().Describe(), Is.EqualTo("20,000 points are as they were converted"));
+            Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Succeeded));
+
+            string damaged = Directory.GetFiles(path, "*.bin", SearchOption.AllDirectories)
+                .OrderByDescending(f => new FileInfo(f).Length).First();
+            var bytes = File.ReadAllBytes(damaged);
+            bytes[bytes.Length / 2] ^= 4;
+            File.WriteAllBytes(damaged, bytes);
+            Assert.That(Verify().Describe(), Does.Match("^\\d+ problems:\n.*\\.bin"));
+            Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Failed));
+            Assert.That(logged.Last(), Does.StartWith("Error: FastPoints: " + path));
+
+            project.Imports.Verification.Begin(path);
+            Assert.That(Progress.Cancel(Progress.Entries.Count - 1), Is.True);
+            Assert.That(project.Imports.Verification.IsChecking, Is.False);
+            project.Imports.Verification.Begin(path);
+            project.Imports.Suspend();
+            Assert.That(Progress.Entries.Last().Status, Is.EqualTo(Progress.Status.Canceled));
+        }
+        finally
+        {
+            Debug.s_sink = null;
         }
     }
 

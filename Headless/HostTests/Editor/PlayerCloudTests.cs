@@ -1,6 +1,3 @@
-using UnityEditor.Build;
-using UnityEngine.SceneManagement;
-
 namespace FastPoints.HostTests.Editor;
 
 public sealed class PlayerCloudTests : EditorFixture

@@ -20,13 +20,11 @@ public sealed class SourceStampTests : ScratchPerTest
 
     void Flip(long offset)
     {
-        using (var file = new FileStream(m_file, FileMode.Open))
-        {
-            file.Position = offset;
-            int value = file.ReadByte();
-            file.Position = offset;
-            file.WriteByte((byte)(value ^ 1));
-        }
+        using var file = new FileStream(m_file, FileMode.Open);
+        file.Position = offset;
+        int value = file.ReadByte();
+        file.Position = offset;
+        file.WriteByte((byte)(value ^ 1));
     }
 
     [Test]

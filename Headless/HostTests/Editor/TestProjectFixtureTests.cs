@@ -1,6 +1,4 @@
-using FastPoints.UnityTests;
 using FastPoints.UnityTests.Performance;
-using UnityEngine.TestTools;
 
 namespace FastPoints.HostTests.Editor;
 

@@ -1,5 +1,3 @@
-using StandIns.Entities;
-
 namespace FastPoints.HostTests.Entities;
 
 public sealed class SystemOrderTests

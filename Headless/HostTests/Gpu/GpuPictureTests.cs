@@ -1,5 +1,3 @@
-using NUnit.Framework.Constraints;
-
 namespace FastPoints.HostTests.Gpu;
 
 public sealed class GpuPictureTests : GraphicsFixture

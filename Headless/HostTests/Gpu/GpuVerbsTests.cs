@@ -1,28 +1,15 @@
 namespace FastPoints.HostTests.Gpu;
 
-public sealed class GpuVerbsTests : GraphicsFixture
+public sealed class GpuVerbsTests() : GpuCloudFixture(20_000)
 {
-    ScratchFolder m_scratch;
-    string m_cloud;
-
-    [OneTimeSetUp]
-    public void MakeCloud()
-    {
-        m_scratch = new ScratchFolder();
-        m_cloud = m_scratch.Converted(points: 20_000);
-    }
-
-    [OneTimeTearDown]
-    public void DeleteCloud() => m_scratch?.Dispose();
-
     [Test]
     public void Picture_OnTheGpu_NamesTheDeviceAndIsNearTheCpus()
     {
-        string cpu = m_scratch["cpu.png"], gpu = m_scratch["gpu.png"];
+        string cpu = Scratch["cpu.png"], gpu = Scratch["gpu.png"];
         string style = "color=elevation,light=215,40,0.9,size=3,points=round";
-        Assert.That(CliCall.Of("picture", m_cloud, "-o", cpu, "--size", "160x90", "--style", style).Status,
+        Assert.That(CliCall.Of("picture", CloudPath, "-o", cpu, "--size", "160x90", "--style", style).Status,
             Is.EqualTo(ExitStatus.Done));
-        var call = CliCall.Of("picture", m_cloud, "-o", gpu, "--gpu", "--size", "160x90", "--style", style,
+        var call = CliCall.Of("picture", CloudPath, "-o", gpu, "--gpu", "--size", "160x90", "--style", style,
             "--against", cpu, "--json", "-");
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         Assert.That(call.Json.GetProperty("device").GetString(), Does.StartWith("gpu, "));
@@ -33,9 +20,9 @@ public sealed class GpuVerbsTests : GraphicsFixture
     [Test]
     public void Picture_OnTheGpuWithoutStyle_MatchesTheCpu()
     {
-        string cpu = m_scratch["c.png"], gpu = m_scratch["g.png"];
-        Assert.That(CliCall.Of("picture", m_cloud, "-o", cpu, "--size", "640x360").Status, Is.EqualTo(ExitStatus.Done));
-        var call = CliCall.Of("picture", m_cloud, "-o", gpu, "--gpu", "--size", "640x360", "--against", cpu, "--json", "-");
+        string cpu = Scratch["c.png"], gpu = Scratch["g.png"];
+        Assert.That(CliCall.Of("picture", CloudPath, "-o", cpu, "--size", "640x360").Status, Is.EqualTo(ExitStatus.Done));
+        var call = CliCall.Of("picture", CloudPath, "-o", gpu, "--gpu", "--size", "640x360", "--against", cpu, "--json", "-");
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         Assert.That(call.Json.GetProperty("psnr").GetDouble(), Is.GreaterThan(38));
     }
@@ -43,10 +30,10 @@ public sealed class GpuVerbsTests : GraphicsFixture
     [Test]
     public void Fly_OnTheGpu_MatchesTheCpu()
     {
-        string[] folders = { m_scratch["cpu"], m_scratch["gpu"] };
+        string[] folders = { Scratch["cpu"], Scratch["gpu"] };
         for (int i = 0; i < 2; i++)
         {
-            var call = CliCall.Of("fly", m_cloud, m_cloud, "--frames", "30", "--every", "15",
+            var call = CliCall.Of("fly", CloudPath, CloudPath, "--frames", "30", "--every", "15",
                 "--size", "160x90", "-o", folders[i], i == 0 ? "--cpu" : "--gpu", "--style", "size=3,points=round");
             Assert.That(call.Status, Is.EqualTo(ExitStatus.Done), call.Error);
         }
@@ -56,5 +43,5 @@ public sealed class GpuVerbsTests : GraphicsFixture
 
     [Test]
     public void Fly_OnBoth_IsAnError() =>
-        Assert.That(CliCall.Of("fly", m_cloud, "--cpu", "--gpu").Status, Is.EqualTo(ExitStatus.Usage));
+        Assert.That(CliCall.Of("fly", CloudPath, "--cpu", "--gpu").Status, Is.EqualTo(ExitStatus.Usage));
 }

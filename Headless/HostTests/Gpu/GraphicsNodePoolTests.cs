@@ -1,28 +1,15 @@
 namespace FastPoints.HostTests.Gpu;
 
-public sealed class GraphicsNodePoolTests : GraphicsFixture
+public sealed class GraphicsNodePoolTests() : GpuCloudFixture(250_000)
 {
     const int MaxFrames = 200_000;
-
-    ScratchFolder m_scratch;
-    string m_cloud;
-
-    [OneTimeSetUp]
-    public void MakeCloud()
-    {
-        m_scratch = new ScratchFolder();
-        m_cloud = m_scratch.Converted(points: 250_000);
-    }
-
-    [OneTimeTearDown]
-    public void DeleteCloud() => m_scratch?.Dispose();
 
     StreamContext Stream(long limitBytes, int bankBytes, int bytesPerUpload)
     {
         var stream = new StreamContext(new GraphicsNodePool(new GpuShaders().CopyPages, limitBytes, bankBytes));
         stream.Settings.Selection.MinScreenErrorPx = 0.1f;
         stream.Settings.MaxUploadBytesPerFrame = bytesPerUpload;
-        var source = new FolderSource(CloudFolder.Open(m_cloud), StoreLayout.ColorName);
+        var source = new FolderSource(CloudFolder.Open(CloudPath), StoreLayout.ColorName);
         stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
         return stream;
     }
@@ -30,7 +17,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     PictureCamera Above(StreamContext stream)
     {
         var source = stream.Clouds[0].Source;
-        using var folder = CloudFolder.Open(m_cloud);
+        using var folder = CloudFolder.Open(CloudPath);
         var low = source.Grid.ToGeo(folder.Manifest.BoundsMin);
         var high = source.Grid.ToGeo(folder.Manifest.BoundsMax);
         var center = (low + high) / 2;
@@ -41,7 +28,7 @@ public sealed class GraphicsNodePoolTests : GraphicsFixture
     PictureCamera Near(StreamContext stream, double share, double heading)
     {
         var source = stream.Clouds[0].Source;
-        using var folder = CloudFolder.Open(m_cloud);
+        using var folder = CloudFolder.Open(CloudPath);
         var low = source.Grid.ToGeo(folder.Manifest.BoundsMin);
         var high = source.Grid.ToGeo(folder.Manifest.BoundsMax);
         var eye = low + (high - low) * new double3(share, 1 - share, 0.7);

@@ -1,6 +1,3 @@
-using FastPoints.Rendering.Hdrp;
-using UnityEngine.Rendering.HighDefinition;
-
 namespace FastPoints.HostTests.Gpu;
 
 /// <summary>HDRP: custom passes of all cameras.</summary>

@@ -1,12 +1,29 @@
 namespace FastPoints.HostTests.Gpu;
 
-public abstract class PipelineFixture : GraphicsFixture
+/// <summary>One converted cloud for all tests of a fixture.</summary>
+public abstract class GpuCloudFixture(int points) : GraphicsFixture
+{
+    private protected ScratchFolder Scratch { get; private set; }
+    private protected string CloudPath { get; private set; }
+
+    [OneTimeSetUp]
+    public void MakeCloud()
+    {
+        Scratch = new ScratchFolder();
+        CloudPath = Scratch.Converted(points: points);
+    }
+
+    [OneTimeTearDown]
+    public void DeleteCloud() => Scratch?.Dispose();
+}
+
+public abstract class PipelineFixture() : GpuCloudFixture(30_000)
 {
     protected const int WidthPx = 320, HeightPx = 180;
     protected const int MaxFrames = 200_000;
 
-    ScratchFolder m_scratch;
-    string m_cloud;
+    static readonly List<(Camera Camera, RenderTexture Target)> s_cameras = new();
+
     World m_world;
 
     protected PointCloudSystemGroup Group { get; private set; }
@@ -20,16 +37,6 @@ public abstract class PipelineFixture : GraphicsFixture
     protected virtual bool HasRaster => false;
 
     protected void Begin(string pipeline) => Pipeline = PipelineHost.Make(pipeline);
-
-    [OneTimeSetUp]
-    public void MakeCloud()
-    {
-        m_scratch = new ScratchFolder();
-        m_cloud = m_scratch.Converted(points: 30_000);
-    }
-
-    [OneTimeTearDown]
-    public void DeleteCloud() => m_scratch?.Dispose();
 
     [SetUp]
     public void MakeWorld()
@@ -54,6 +61,13 @@ public abstract class PipelineFixture : GraphicsFixture
     [TearDown]
     public void EndWorld()
     {
+        foreach (var (camera, target) in s_cameras)
+        {
+            if (camera != null)
+                UnityEngine.Object.DestroyImmediate(camera.gameObject);
+            target.Release();
+        }
+        s_cameras.Clear();
         Pipeline?.Dispose();
         HeadlessGraphics.WaitForIdle();
         Scene.Dispose();
@@ -62,11 +76,11 @@ public abstract class PipelineFixture : GraphicsFixture
 
     internal PicturePlan Add(StreamContext reference, PictureOptions options, out CloudPlacement placement)
     {
-        var (plan, ranges, number) = FlightCloud.Add(m_cloud, reference, options, default);
+        var (plan, ranges, number) = FlightCloud.Add(CloudPath, reference, options, default);
         placement = reference.Clouds[number].Placement;
         placement.OriginWorld -= math.round(ranges.Robust.Center);
         reference.Clouds[number].Placement = placement;
-        var source = new FolderSource(Store.CloudFolder.Open(m_cloud), Store.StoreLayout.ColorName);
+        var source = new FolderSource(Store.CloudFolder.Open(CloudPath), Store.StoreLayout.ColorName);
         Cloud = Entities.CreateEntity(ComponentType.ReadWrite<PointCloudPlacement>());
         Entities.SetComponentData(Cloud, new PointCloudPlacement { Value = placement });
         Group.SetSource(Cloud, source);
@@ -74,6 +88,7 @@ public abstract class PipelineFixture : GraphicsFixture
         return plan;
     }
 
+    /// <summary>A camera that the end of the test destroys, and releases its target.</summary>
     protected static Camera CameraAt(PictureCamera at, Matrix4x4 projection, RenderTexture target)
     {
         var camera = new GameObject("camera").AddComponent<Camera>();
@@ -83,6 +98,7 @@ public abstract class PipelineFixture : GraphicsFixture
         camera.worldToCameraMatrix = ViewOf(at);
         camera.projectionMatrix = projection;
         camera.targetTexture = target;
+        s_cameras.Add((camera, target));
         return camera;
     }
 

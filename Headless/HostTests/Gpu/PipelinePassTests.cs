@@ -1,5 +1,3 @@
-using UnityEngine.Rendering.HighDefinition;
-
 namespace FastPoints.HostTests.Gpu;
 
 public sealed class PipelinePassTests : PipelineFixture
@@ -61,8 +59,6 @@ public sealed class PipelinePassTests : PipelineFixture
         File.WriteAllBytes(output, Png.Encode(drawn));
         Assert.That(covered, Is.GreaterThan(2000));
         Assert.That(differ / (double)covered, Is.LessThan(0.003), output);
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        target.Release();
     }
 
     /// <summary>By a light from behind the camera the cloud is brighter than by one from behind the cloud, and redder by a red
@@ -76,7 +72,7 @@ public sealed class PipelinePassTests : PipelineFixture
         using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
         var plan = Add(reference, new PictureOptions { Color = ColorMode.Rgb }, out _);
         var look = CloudLooks.Of(plan.Colors, reference.Clouds[0].Source);
-        var camera = LookingCamera(out var target);
+        var camera = LookingCamera();
         var sun = new GameObject("sun").AddComponent<Light>();
         var ambient = new SphericalHarmonicsL2();
         for (int channel = 0; channel < 3; channel++)
@@ -130,13 +126,11 @@ public sealed class PipelinePassTests : PipelineFixture
         }
         (RenderSettings.sun, RenderSettings.ambientProbe) = (null, default);
         UnityEngine.Object.DestroyImmediate(sun.gameObject);
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        target.Release();
     }
 
-    Camera LookingCamera(out RenderTexture target)
+    Camera LookingCamera()
     {
-        target = new RenderTexture(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
+        var target = new RenderTexture(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
         target.Create();
         return CameraAt(PictureCamera.Perspective(new double3(-60, -45, 40), new double3(0, 0, 0), new double3(0, 0, 1), 60),
             Matrix4x4.Perspective(60, 16 / 9f, 0.1f, 10_000), target);
@@ -148,15 +142,13 @@ public sealed class PipelinePassTests : PipelineFixture
     public void CollectNextViews_CameraMovedSinceItsPicture_UsesItsCurrentPosition(bool isMirror)
     {
         Begin(nameof(BuiltInHost));
-        var camera = LookingCamera(out var target);
+        var camera = LookingCamera();
         if (isMirror)
             camera.worldToCameraMatrix *= Matrix4x4.Translate(new Vector3(0, 0, 20));
         RenderOnce(camera);
         var before = Scene.CollectNextViews()[0].EyeWorld;
         camera.transform.position += new Vector3(-1000, 5, 0);
         Assert.That(Scene.CollectNextViews()[0].EyeWorld, Is.EqualTo(before + (isMirror ? default : new double3(-1000, 5, 0))));
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        target.Release();
     }
 
     [TestCase(nameof(BuiltInHost))]
@@ -165,8 +157,8 @@ public sealed class PipelinePassTests : PipelineFixture
     public void Render_AgainAndAgainWithoutAnUpdate_KeepsTheLastViewOfEachCamera(string pipeline)
     {
         Begin(pipeline);
-        var first = LookingCamera(out var target);
-        var second = LookingCamera(out var otherTarget);
+        var first = LookingCamera();
+        var second = LookingCamera();
         for (int frame = 0; frame < 50; frame++)
         {
             second.projectionMatrix = Matrix4x4.Perspective(20 + frame, 16 / 9f, 0.1f, 10_000);
@@ -176,10 +168,6 @@ public sealed class PipelinePassTests : PipelineFixture
         Assert.That(Scene.CollectNextViews().Length, Is.EqualTo(2));
         Assert.That(Scene.CollectNextViews()[0].ScalePx, Is.EqualTo(CameraViews.StreamViewOf(first).ScalePx));
         Assert.That(Scene.CollectNextViews()[1].ScalePx, Is.EqualTo(CameraViews.StreamViewOf(second).ScalePx));
-        foreach (var camera in new[] { first, second })
-            UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        target.Release();
-        otherTarget.Release();
     }
 
     /// <summary>Adds a cloud, and draws until it is there.</summary>
@@ -200,7 +188,7 @@ public sealed class PipelinePassTests : PipelineFixture
     public void Render_UrpCameraThatSeesNoCloud_HasNoPass()
     {
         using var host = new UrpHost();
-        var camera = LookingCamera(out var target);
+        var camera = LookingCamera();
         host.Render(camera);
         Assert.That(host.PassCount, Is.Zero, "nothing is loaded");
         Stream(host, camera);
@@ -208,37 +196,29 @@ public sealed class PipelinePassTests : PipelineFixture
         camera.worldToCameraMatrix = Matrix4x4.Translate(new Vector3(0, 0, 10_000));
         host.Render(camera);
         Assert.That(host.PassCount, Is.Zero, "it looks elsewhere");
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        target.Release();
     }
 
     [Test]
     public void Render_AfterAUrpCameraThatCouldNotBeCulled_RecordsOnePass()
     {
         using var host = new UrpHost();
-        var camera = LookingCamera(out var target);
-        var unculled = LookingCamera(out var otherTarget);
+        var camera = LookingCamera();
+        var unculled = LookingCamera();
         RenderPipelineManager.Begin(unculled);
         RenderPipelineManager.Begin(unculled);
         Stream(host, camera);
         Assert.That(host.PassCount, Is.EqualTo(1));
         host.Render(unculled);
         Assert.That(host.PassCount, Is.EqualTo(1));
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        UnityEngine.Object.DestroyImmediate(unculled.gameObject);
-        target.Release();
-        otherTarget.Release();
     }
 
     [Test]
     public void Render_UrpWithoutDepth_DrawsNoCloudsAndThrowsNothing()
     {
         using var host = new UrpHost { IsWithoutDepth = true };
-        var camera = LookingCamera(out var target);
+        var camera = LookingCamera();
         Assert.That(() => host.Render(camera), Throws.Nothing);
         Assert.That(host.PassCount, Is.Zero);
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        target.Release();
     }
 
     [Test]
@@ -246,22 +226,20 @@ public sealed class PipelinePassTests : PipelineFixture
     {
         using var host = new UrpHost();
         var target = new RenderTexture(WidthPx, HeightPx, GraphicsFormat.None, GraphicsFormat.D32_SFloat);
-        var camera = LookingCamera(out var unused);
+        var camera = LookingCamera();
         camera.targetTexture = target;
         Assert.That(() => host.Render(camera), Throws.Nothing);
         Assert.That(host.PassCount, Is.Zero);
         Assert.That(Scene.CollectNextViews().Length, Is.Zero, "nor is it selected for");
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
         target.Release();
-        unused.Release();
     }
 
     [Test]
     public void Render_UrpScriptDrawsAnotherCamera_DrawsFromTheNextPicture()
     {
         using var host = new UrpHost();
-        var camera = LookingCamera(out var target);
-        var mirror = LookingCamera(out var otherTarget);
+        var camera = LookingCamera();
+        var mirror = LookingCamera();
         void DrawMirror(ScriptableRenderContext context, Camera drawn) => host.RenderSingle(mirror);
         // After the package has, at which the mirror takes its pass.
         RenderPipelineManager.beginCameraRendering += DrawMirror;
@@ -278,24 +256,18 @@ public sealed class PipelinePassTests : PipelineFixture
         {
             RenderPipelineManager.beginCameraRendering -= DrawMirror;
         }
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        UnityEngine.Object.DestroyImmediate(mirror.gameObject);
-        target.Release();
-        otherTarget.Release();
     }
 
     /// <summary>The matrix is rounded: a place that it does not contradict is exact.</summary>
     [Test]
     public void StreamViewOf_CameraWithACustomMatrix_UsesItsPosition()
     {
-        var camera = LookingCamera(out var target);
+        var camera = LookingCamera();
         Assert.That(CameraViews.StreamViewOf(camera).EyeWorld, Is.EqualTo(new double3(-60, -45, 40)));
         var mirrored = Matrix4x4.identity;
         mirrored.m22 = -1;
         camera.worldToCameraMatrix *= mirrored;
         Assert.That(math.distance(CameraViews.StreamViewOf(camera).EyeWorld, new double3(-60, -45, -40)), Is.LessThan(1e-4));
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        target.Release();
     }
 
     /// <summary>What HDRP draws over all that its depth pyramid does not know.</summary>
@@ -306,14 +278,12 @@ public sealed class PipelinePassTests : PipelineFixture
         Begin(nameof(HdrpHost));
         using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
         Add(reference, new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, Color = ColorMode.Rgb }, out _);
-        var camera = LookingCamera(out var target);
+        var camera = LookingCamera();
         var wanted = Render(camera);
         Assert.That(wanted.Rgba.Count(b => b != 0), Is.GreaterThan(20_000));
         ((HdrpHost)Pipeline).Cover = (cover == "fog" ? CustomPassInjectionPoint.BeforePreRefraction
             : CustomPassInjectionPoint.BeforeTransparent, camera.backgroundColor);
         Assert.That(Render(camera).Rgba, Is.EqualTo(wanted.Rgba));
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        target.Release();
     }
 
     [Test]
@@ -322,11 +292,11 @@ public sealed class PipelinePassTests : PipelineFixture
         Begin(nameof(BuiltInHost));
         using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
         Add(reference, new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, Color = ColorMode.Rgb }, out _);
-        var map = LookingCamera(out var target);
+        var map = LookingCamera();
         Render(map);
         int nodes = Group.Stats.SelectedNodes;
         var away = CameraAt(PictureCamera.Perspective(new double3(-60, -45, 40), new double3(-120, -90, 80),
-            new double3(0, 0, 1), 60), map.projectionMatrix, target);
+            new double3(0, 0, 1), 60), map.projectionMatrix, map.targetTexture);
         for (int frame = 0; frame < 10; frame++)
         {
             RenderOnce(away);
@@ -341,9 +311,6 @@ public sealed class PipelinePassTests : PipelineFixture
             UpdateWorld();
         }
         Assert.That(Scene.CollectNextViews().Length, Is.EqualTo(1), "it draws no more");
-        UnityEngine.Object.DestroyImmediate(map.gameObject);
-        UnityEngine.Object.DestroyImmediate(away.gameObject);
-        target.Release();
     }
 
     [Test]
@@ -356,7 +323,7 @@ public sealed class PipelinePassTests : PipelineFixture
         try
         {
             using var host = new UrpHost();
-            var camera = LookingCamera(out var target);
+            var camera = LookingCamera();
             for (int i = 0; i < 3; i++)
                 host.Render(camera);
             Assert.That(host.PassCount, Is.Zero);
@@ -364,8 +331,6 @@ public sealed class PipelinePassTests : PipelineFixture
             settings.enableRenderCompatibilityMode = false;
             Stream(host, camera);
             Assert.That(host.PassCount, Is.EqualTo(1));
-            UnityEngine.Object.DestroyImmediate(camera.gameObject);
-            target.Release();
         }
         finally
         {
@@ -378,7 +343,7 @@ public sealed class PipelinePassTests : PipelineFixture
     public void Draw_BuiltInAfterAReloadOfScripts_HasOneBufferInEachCamera()
     {
         Begin(nameof(BuiltInHost));
-        var camera = LookingCamera(out var target);
+        var camera = LookingCamera();
         // What scripts from before the reload left; their own lists are gone.
         using var left = new CommandBuffer { name = "FastPoints" };
         using var other = new CommandBuffer { name = "other" };
@@ -387,8 +352,6 @@ public sealed class PipelinePassTests : PipelineFixture
         RenderOnce(camera);
         var buffers = camera.GetCommandBuffers(CameraEvent.AfterForwardOpaque);
         Assert.That(buffers, Has.Length.EqualTo(2).And.Contains(other).And.Not.Contains(left));
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        target.Release();
     }
 
     [Test]
@@ -420,7 +383,7 @@ public sealed class PipelinePassTests : PipelineFixture
         var options = new PictureOptions { WidthPx = WidthPx, HeightPx = HeightPx, EdlStrength = 0, Color = ColorMode.Rgb };
         using var reference = new StreamContext(new MemoryNodePool(64 << 20, 8 << 20));
         Add(reference, options, out _);
-        var camera = LookingCamera(out var target);
+        var camera = LookingCamera();
         void Shows(bool isShown, string reason)
         {
             var drawn = Render(camera);
@@ -442,8 +405,6 @@ public sealed class PipelinePassTests : PipelineFixture
         var none = Render(camera);
         Assert.That(Enumerable.Range(0, WidthPx * HeightPx).All(i => none[i % WidthPx, i / WidthPx] == none[0, 0]), Is.True,
             "the camera draws no clouds any more");
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        target.Release();
     }
 
     [TestCase(CameraType.Game)]
@@ -451,20 +412,18 @@ public sealed class PipelinePassTests : PipelineFixture
     public void Render_CameraOfUrpWithoutData_IsDrawnAndGetsNone(CameraType kind)
     {
         using var host = new UrpHost();
-        var camera = LookingCamera(out var target);
+        var camera = LookingCamera();
         camera.cameraType = kind;
         Stream(host, camera);
         Assert.That(host.PassCount, Is.EqualTo(1));
         Assert.That(camera.gameObject.GetComponent<UnityEngine.Rendering.Universal.UniversalAdditionalCameraData>() == null);
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        target.Release();
     }
 
     [Test]
     public void Render_UrpOverlayCamera_DrawsIfEnabled()
     {
         Begin(nameof(UrpHost));
-        var camera = LookingCamera(out var target);
+        var camera = LookingCamera();
         Stream(Pipeline, camera);
         bool IsSeen()
         {
@@ -484,8 +443,6 @@ public sealed class PipelinePassTests : PipelineFixture
         choice.enabled = true;
         choice.DrawsClouds = false;
         Assert.That(IsSeen(), Is.False, "it asks for none");
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        target.Release();
     }
 
     [TestCase(nameof(BuiltInHost))]
@@ -513,7 +470,5 @@ public sealed class PipelinePassTests : PipelineFixture
         camera.cameraType = CameraType.SceneView;
         RenderOnce(camera);
         Assert.That(Scene.CollectNextViews().Length, Is.EqualTo(1));
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        target.Release();
     }
 }

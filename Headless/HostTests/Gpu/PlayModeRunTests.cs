@@ -1,6 +1,3 @@
-using FastPoints.UnityTests;
-using UnityEngine.TestTools;
-
 namespace FastPoints.HostTests.Gpu;
 
 [NonParallelizable]

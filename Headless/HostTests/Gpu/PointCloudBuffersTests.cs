@@ -1,7 +1,7 @@
 namespace FastPoints.HostTests.Gpu;
 
 /// <summary>What effects get of a cloud, point by point against what the CPU unpacks of the same banks.</summary>
-public sealed class PointCloudBuffersTests : GraphicsFixture
+public sealed class PointCloudBuffersTests() : GpuCloudFixture(Points)
 {
     const int Points = 60_000, MaxFrames = 200_000, HiddenClass = 2;
 
@@ -22,25 +22,14 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
 
     readonly record struct Gathered(float3 Position, uint Color);
 
-    ScratchFolder m_scratch;
-    string m_demo, m_cloud;
+    string m_cloud;
     StreamContext m_stream;
     PointScene m_scene;
-
-    [OneTimeSetUp]
-    public void MakeCloud()
-    {
-        m_scratch = new ScratchFolder();
-        m_demo = m_scratch.Converted(points: Points);
-    }
-
-    [OneTimeTearDown]
-    public void DeleteCloud() => m_scratch?.Dispose();
 
     [SetUp]
     public void MakeScene()
     {
-        m_cloud = m_demo;
+        m_cloud = CloudPath;
         var shaders = new GpuShaders();
         m_stream = new StreamContext(shaders.CreatePool(16 << 20, 1 << 19));
         m_stream.Settings.Selection.MinScreenErrorPx = 0;
@@ -89,7 +78,7 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
             HeadlessGraphics.EndFrame();
         }
         Assert.That(m_stream.Drawn.AsArray().ToArray().Select(d => d.Range.Bank).Distinct().Count(),
-            Is.GreaterThan(m_cloud == m_demo ? 1 : 0));
+            Is.GreaterThan(m_cloud == CloudPath ? 1 : 0));
         return cloud;
     }
 
@@ -203,11 +192,11 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
     public unsafe void Update_WideCloud_HasEachPointAsTheCpuUnpacksIt()
     {
         var random = new Unity.Mathematics.Random(5);
-        File.WriteAllLines(m_scratch["wide.xyz"], Enumerable.Range(0, 3000).Select(i =>
+        File.WriteAllLines(Scratch["wide.xyz"], Enumerable.Range(0, 3000).Select(i =>
             string.Join(" ", Enumerable.Range(0, 3).Select(_ => NumberText.Of(Math.Round(
                 random.NextDouble(-2e6, 2e6) + i % 3 * 1e9, 3))))));
-        m_cloud = m_scratch["wide.fastpoints"];
-        Assert.That(CliCall.Of("convert", m_scratch["wide.xyz"], "-o", m_cloud, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
+        m_cloud = Scratch["wide.fastpoints"];
+        Assert.That(CliCall.Of("convert", Scratch["wide.xyz"], "-o", m_cloud, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
         int cloud = Show(ColorMode.Elevation);
         var streamed = m_stream.Clouds[cloud];
         Assert.That(m_stream.Drawn.AsArray().ToArray().Any(d => streamed.Pages[d.Page].Addresses[d.Node].IsWide));
@@ -242,8 +231,8 @@ public sealed class PointCloudBuffersTests : GraphicsFixture
         var origin = Middle(cloud);
         using var buffers = new PointCloudBuffers(Points);
         buffers.Update(cloud, origin);
-        File.WriteAllText(m_scratch["load.compute"], LoadAll);
-        var shader = HeadlessShaders.LoadCompute(m_scratch["load.compute"]);
+        File.WriteAllText(Scratch["load.compute"], LoadAll);
+        var shader = HeadlessShaders.LoadCompute(Scratch["load.compute"]);
         using var loaded = Structured(2 * (Points + 64), 16);
         var got = new Vector4[loaded.count];
         foreach (var space in new[] { ColorSpace.Gamma, ColorSpace.Linear })

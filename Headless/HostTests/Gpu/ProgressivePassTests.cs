@@ -1,6 +1,3 @@
-using NUnit.Framework.Constraints;
-using UnityEngine.XR;
-
 namespace FastPoints.HostTests.Gpu;
 
 /// <summary>Progressive pictures of the pipelines: of cameras, and of a headset's eyes.</summary>
@@ -68,8 +65,6 @@ public sealed class ProgressivePassTests : PipelineFixture
         {
             Assert.That(first[i], Is.GreaterThan(0.1), "drawn whole at once");
             Assert.That(Differ(Picture(targets[i]), whole[i]), Is.LessThanOrEqualTo(style == "pixels" ? 0 : 0.001));
-            UnityEngine.Object.DestroyImmediate(cameras[i].gameObject);
-            targets[i].Release();
         }
     }
 
@@ -93,8 +88,6 @@ public sealed class ProgressivePassTests : PipelineFixture
             RenderOnce(headset);
         for (int eye = 0; eye < 2; eye++)
             Assert.That(Differ(Picture(both, eye), whole[eye]), Is.LessThanOrEqualTo(style == "pixels" ? 0 : 0.001));
-        UnityEngine.Object.DestroyImmediate(headset.gameObject);
-        both.Release();
     }
 
     /// <summary>Multi-pass: one camera is drawn twice.</summary>
@@ -121,8 +114,6 @@ public sealed class ProgressivePassTests : PipelineFixture
             }
             SetPointsPerFrame(PointsPerFrame);
         }
-        UnityEngine.Object.DestroyImmediate(headset.gameObject);
-        single.Release();
     }
 
     /// <summary>Where the GPU has time for more, a frame draws more, up to all.</summary>
@@ -149,8 +140,6 @@ public sealed class ProgressivePassTests : PipelineFixture
         camera = CameraAt(StereoPassTests.At(0), StereoPassTests.ProjectionOf(0), target);
         RenderOnce(camera);
         Assert.That(Differ(Picture(target), whole), isWhole ? Is.Zero : (IResolveConstraint)Is.GreaterThan(0.1));
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        target.Release();
     }
 
     /// <summary>Its views are not drawn again before something changes.</summary>
@@ -165,8 +154,6 @@ public sealed class ProgressivePassTests : PipelineFixture
         SceneLoop.IsPlaying = false;
         RenderOnce(camera);
         Assert.That(Picture(target).Rgba, Is.EqualTo(whole.Rgba));
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        target.Release();
     }
 
     [TearDown]

@@ -1,21 +1,8 @@
 namespace FastPoints.HostTests.Gpu;
 
-public sealed class ProgressiveTests : GraphicsFixture
+public sealed class ProgressiveTests() : GpuCloudFixture(Points)
 {
     const int Points = 150_000;
-
-    ScratchFolder m_scratch;
-    string m_demo;
-
-    [OneTimeSetUp]
-    public void MakeCloud()
-    {
-        m_scratch = new ScratchFolder();
-        m_demo = m_scratch.Converted(points: Points);
-    }
-
-    [OneTimeTearDown]
-    public void DeleteCloud() => m_scratch?.Dispose();
 
     static PictureOptions Options(string points, string size)
     {
@@ -26,7 +13,7 @@ public sealed class ProgressiveTests : GraphicsFixture
     }
 
     ProgressiveStream Stream(string points, string size, bool canCompute = true) =>
-        new(m_demo, Options(points, size), Points, canCompute);
+        new(CloudPath, Options(points, size), Points, canCompute);
 
     /// <summary>A third of the way to the cloud.</summary>
     static PictureCamera Near(ProgressiveStream stream)
@@ -128,7 +115,7 @@ public sealed class ProgressiveTests : GraphicsFixture
     public void Draw_RealScans_AreWholeAtRestAndNearerInMotion(string data, string points, string size)
     {
         string file = TestData.PathOrIgnore(data);
-        string cloud = m_scratch[Path.GetFileNameWithoutExtension(data) + ".fastpoints"];
+        string cloud = Scratch[Path.GetFileNameWithoutExtension(data) + ".fastpoints"];
         if (!Directory.Exists(cloud))
             Assert.That(CliCall.Of("convert", file, "-o", cloud, "--quiet").Status, Is.EqualTo(ExitStatus.Done));
         var options = Options(points, size);
@@ -190,7 +177,7 @@ public sealed class ProgressiveTests : GraphicsFixture
         stream.Stream.SetClipBoxes(stream.Options.ClipBoxes);
         ExpectNothingElse(stream, camera);
         stream.Stream.Remove(0);
-        stream.Add(m_demo);
+        stream.Add(CloudPath);
         ExpectNothingElse(stream, camera);
         Assert.That(stream.DiffersAtRest(camera), Is.LessThanOrEqualTo(size == "1" ? 0 : 0.001));
     }
@@ -210,7 +197,7 @@ public sealed class ProgressiveTests : GraphicsFixture
     [TestCase(100, 7)]
     public void Draw_OneNode_ReachesTheWholePicture(int points, int perFrame)
     {
-        string cloud = m_scratch.Converted($"of{points}.fastpoints", points);
+        string cloud = Scratch.Converted($"of{points}.fastpoints", points);
         using var stream = new ProgressiveStream(cloud, Options("square", "1"), Points);
         stream.Settle(stream.Overview);
         stream.PointsPerFrame = perFrame;
@@ -271,7 +258,7 @@ public sealed class ProgressiveTests : GraphicsFixture
     public void Draw_DuplicatePoints_CarriesOneAPixel()
     {
         using var stream = Stream("square", "1");
-        stream.Add(m_demo);
+        stream.Add(CloudPath);
         stream.Stream.Settings.Selection.PointBudget = 2 * Points;
         var camera = Near(stream);
         stream.Settle(camera);

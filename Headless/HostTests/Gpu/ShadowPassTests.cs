@@ -1,5 +1,3 @@
-using UnityEngine.XR;
-
 namespace FastPoints.HostTests.Gpu;
 
 public sealed class ShadowPassTests : PipelineFixture
@@ -68,8 +66,6 @@ public sealed class ShadowPassTests : PipelineFixture
         Assert.That(Render(camera, true).Rgba, Is.EqualTo(with.Rgba));
         Assert.That(Render(camera, false).Rgba, Is.EqualTo(without.Rgba));
         Assert.That(Scene.CollectNextViews().Length, Is.EqualTo(1));
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        target.Release();
     }
 
     /// <summary>Both eyes look up the same map, from their own places.</summary>
@@ -94,8 +90,5 @@ public sealed class ShadowPassTests : PipelineFixture
             Assert.That(differ, Is.LessThan(0.003 * WidthPx * HeightPx));
             UnityEngine.Object.DestroyImmediate(camera.gameObject);
         }
-        UnityEngine.Object.DestroyImmediate(headset.gameObject);
-        both.Release();
-        single.Release();
     }
 }

@@ -1,6 +1,3 @@
-using System.Globalization;
-using System.Text;
-
 namespace FastPoints.HostTests.Gpu;
 
 /// <summary>A post of 4 m, 40 cm wide, on flat ground of white points, and light from the east at 45 degrees.</summary>

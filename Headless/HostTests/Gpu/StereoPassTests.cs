@@ -1,7 +1,3 @@
-using UnityEngine.Rendering.HighDefinition;
-using UnityEngine.Rendering.Universal;
-using UnityEngine.XR;
-
 namespace FastPoints.HostTests.Gpu;
 
 public sealed class StereoPassTests : PipelineFixture
@@ -103,9 +99,6 @@ public sealed class StereoPassTests : PipelineFixture
             Assert.That(differ / (double)covered, Is.LessThan(0.002), output);
             UnityEngine.Object.DestroyImmediate(camera.gameObject);
         }
-        UnityEngine.Object.DestroyImmediate(headset.gameObject);
-        both.Release();
-        single.Release();
     }
 
     [TearDown]
@@ -137,8 +130,6 @@ public sealed class StereoPassTests : PipelineFixture
             Assert.That(seen.Rgba, Is.EqualTo(wanted.Rgba), "eye " + eye);
             UnityEngine.Object.DestroyImmediate(camera.gameObject);
         }
-        UnityEngine.Object.DestroyImmediate(headset.gameObject);
-        single.Release();
         right.Release();
     }
 
@@ -163,7 +154,5 @@ public sealed class StereoPassTests : PipelineFixture
         Assert.That(wanted.Rgba.Count(b => b != 0), Is.GreaterThan(20_000));
         Assert.That(seen.Rgba, Is.EqualTo(wanted.Rgba));
         Assert.That(Scene.CollectNextViews().Length, Is.EqualTo(1));
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        target.Release();
     }
 }

@@ -38,8 +38,6 @@ public sealed class TargetTests : PipelineFixture
         camera.projectionMatrix = projection;
         if (style is "squares" or "discs")
             Assert.That(Rows(Drawn(camera), WidthPx, 0, 0, isScreen: true), Is.EqualTo(onScreen), "a part of the screen");
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        texture.Release();
         screen.Release();
     }
 
@@ -52,20 +50,18 @@ public sealed class TargetTests : PipelineFixture
     [TestCase(nameof(UrpHost), "discs")]
     public void Render_DynamicResolution_IsThePictureOfThatSize(string pipeline, string style)
     {
-        var camera = LookingCamera(style, out var texture, pipeline);
+        var camera = LookingCamera(style, out _, pipeline);
         var wanted = Render(camera);
         camera.Part = new Rect(0, 0, WidthPx * 2, HeightPx * 2);
         camera.DynamicScale = 0.5f;
         Assert.That(Rows(Drawn(camera), WidthPx, 0, 0, isScreen: false), Is.EqualTo(wanted.Rgba));
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        texture.Release();
     }
 
     /// <summary>HDRP jitters its own matrix, and not the camera's.</summary>
     [Test]
     public void Render_HdrpWithJitter_IsThePictureOfACameraThatIsJittered()
     {
-        var camera = LookingCamera("discs", out var texture, nameof(HdrpHost));
+        var camera = LookingCamera("discs", out _, nameof(HdrpHost));
         Render(camera);
         var jitter = new Vector2(0.4f / WidthPx, -0.7f / HeightPx) * 2;
         ((HdrpHost)Pipeline).Jitter = jitter;
@@ -77,8 +73,6 @@ public sealed class TargetTests : PipelineFixture
         jittered.m12 += jitter.y;
         camera.projectionMatrix = jittered;
         Assert.That(drawn, Is.EqualTo(Drawn(camera)).And.Not.EqualTo(still));
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        texture.Release();
     }
 
     [TestCase("squares")]
@@ -104,8 +98,6 @@ public sealed class TargetTests : PipelineFixture
         {
             style is "squares" or "adaptive" ? CommandKind.DrawIndirect : CommandKind.Draw,
         }));
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        texture.Release();
     }
 
     [TestCase(nameof(BuiltInHost))]
@@ -113,7 +105,7 @@ public sealed class TargetTests : PipelineFixture
     [TestCase(nameof(HdrpHost))]
     public void Render_OneCameraAtTwoSizesInAFrame_StreamsForBothAndKeepsItsBuffer(string pipeline)
     {
-        var camera = LookingCamera("pixels", out var large, pipeline);
+        var camera = LookingCamera("pixels", out _, pipeline);
         var sceneMaskOf = CameraViews.SceneMaskOf;
         CameraViews.SceneMaskOf = c => c.overrideSceneCullingMask;
         Render(camera);
@@ -142,8 +134,6 @@ public sealed class TargetTests : PipelineFixture
             CameraViews.SceneMaskOf = sceneMaskOf;
         }
         Assert.That(PixelsOf(Scene), Is.SameAs(buffer).And.Not.Null);
-        UnityEngine.Object.DestroyImmediate(camera.gameObject);
-        large.Release();
         small.Release();
     }
 

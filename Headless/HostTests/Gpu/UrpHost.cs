@@ -1,6 +1,4 @@
-using FastPoints.Rendering.Urp;
 using UnityEngine.Rendering.RenderGraphModule;
-using UnityEngine.Rendering.Universal;
 
 namespace FastPoints.HostTests.Gpu;
 

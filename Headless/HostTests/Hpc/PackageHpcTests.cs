@@ -1,4 +1,3 @@
-using Mono.Cecil.Cil;
 using UnityOutside.Hpc;
 
 namespace FastPoints.HostTests.Hpc;

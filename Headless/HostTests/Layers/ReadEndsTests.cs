@@ -1,6 +1,3 @@
-using FastPoints.Scenes;
-using StandIns.Io;
-
 namespace FastPoints.HostTests.Layers;
 
 /// <summary>Reads as the manual of Unity's FileHandle and of AsyncReadManager.CloseCachedFileAsync has them.</summary>

@@ -1,5 +1,3 @@
-using FastPoints.RepoTools.Layers;
-
 namespace FastPoints.HostTests.Layers;
 
 public sealed class RoomOrderTests

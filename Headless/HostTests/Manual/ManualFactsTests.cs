@@ -1,5 +1,3 @@
-using FastPoints.RepoTools.Reference;
-
 namespace FastPoints.HostTests.Manual;
 
 public sealed class ManualFactsTests

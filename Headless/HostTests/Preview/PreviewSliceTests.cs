@@ -1,5 +1,3 @@
-using StandIns.Scheduling;
-
 namespace FastPoints.HostTests.Preview;
 
 [NonParallelizable]

@@ -1,5 +1,3 @@
-using StandIns.Io;
-
 namespace FastPoints.HostTests.Preview;
 
 /// <summary>Previews where each read takes 10 ms, or as good as nothing, which are counted and not waited for. Two are under

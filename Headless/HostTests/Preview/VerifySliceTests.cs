@@ -1,6 +1,3 @@
-using FastPoints.Scenes;
-using StandIns.Scheduling;
-
 namespace FastPoints.HostTests.Preview
 {
     /// <summary>What verifying does to all points is cut; and what is measured across chunks is what comparing all with all

@@ -1,5 +1,3 @@
-using System.Security.Cryptography;
-
 namespace FastPoints.HostTests.Remote;
 
 sealed class NginxTests : RemoteFixture

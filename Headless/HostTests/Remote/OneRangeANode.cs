@@ -1,5 +1,4 @@
 using System.Buffers.Binary;
-using System.Net.Http.Headers;
 
 namespace FastPoints.HostTests.Remote;
 

@@ -1,5 +1,3 @@
-using FastPoints.HostTests.Cli;
-
 namespace FastPoints.HostTests.Remote;
 
 [NonParallelizable]

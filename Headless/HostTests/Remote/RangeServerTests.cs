@@ -1,5 +1,3 @@
-using System.Net.Http.Headers;
-
 namespace FastPoints.HostTests.Remote;
 
 public class RangeServerTests

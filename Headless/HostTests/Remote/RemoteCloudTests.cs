@@ -1,5 +1,3 @@
-using FastPoints.HostTests.Cli;
-
 namespace FastPoints.HostTests.Remote;
 
 /// <summary>Converted clouds of a web server, streamed frame by frame.</summary>
@@ -74,7 +72,7 @@ public sealed class RemoteCloudTests : ScratchTests
     static int Add(StreamContext stream, FolderSource source) =>
         stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
 
-    static FrameStats Frame(StreamContext stream, double scalePx = 1000)
+    internal static FrameStats Frame(StreamContext stream, double scalePx = 1000)
     {
         using var views = new NativeArray<StreamView>(1, Allocator.Persistent) { [0] = StreamView.Everything(scalePx) };
         return FrameStep.Run(stream, views);

@@ -1,5 +1,3 @@
-using FastPoints.HostTests.Samples;
-using FastPoints.Surface;
 using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Remote;

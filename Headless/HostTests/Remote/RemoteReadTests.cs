@@ -1,5 +1,3 @@
-using Unity.IO.LowLevel.Unsafe;
-
 namespace FastPoints.HostTests.Remote;
 
 sealed class RemoteReadTests : RemoteFixture

@@ -32,17 +32,11 @@ sealed class RemoteTreeTests : RemoteFixture
         return stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
     }
 
-    static FrameStats Frame(StreamContext stream, double scalePx = 1000)
-    {
-        using var views = new NativeArray<StreamView>(1, Allocator.Persistent) { [0] = StreamView.Everything(scalePx) };
-        return FrameStep.Run(stream, views);
-    }
-
     static void Until(StreamContext stream, Func<FrameStats, bool> isThere, double scalePx = 1000)
     {
         for (int frame = 0; frame < 20_000; frame++)
         {
-            if (isThere(Frame(stream, scalePx)))
+            if (isThere(RemoteCloudTests.Frame(stream, scalePx)))
                 return;
             Thread.Sleep(1);
         }

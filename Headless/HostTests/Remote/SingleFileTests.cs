@@ -1,5 +1,3 @@
-using FastPoints.HostTests.Cli;
-
 namespace FastPoints.HostTests.Remote;
 
 /// <summary>A cloud of one file gives what the same cloud gives as many files, from the disk and by its address.</summary>

@@ -1,6 +1,3 @@
-using FastPoints.RepoTools.House;
-using Mono.Cecil.Cil;
-
 namespace FastPoints.HostTests.Repository;
 
 public sealed class FlowReportTests

@@ -1,5 +1,3 @@
-using FastPoints.RepoTools.House;
-
 namespace FastPoints.HostTests.Repository;
 
 public sealed class HouseTests

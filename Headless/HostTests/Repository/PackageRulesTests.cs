@@ -1,5 +1,3 @@
-using FastPoints.RepoTools.Package;
-
 namespace FastPoints.HostTests.Repository;
 
 public sealed class PackageRulesTests

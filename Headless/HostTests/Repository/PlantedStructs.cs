@@ -1,5 +1,3 @@
-using System.Runtime.InteropServices;
-
 namespace FastPoints.HostTests.Repository;
 
 [AttributeUsage(AttributeTargets.Struct)]

@@ -1,5 +1,4 @@
 using FastPoints.HostTests.Repository.PlantedApi;
-using FastPoints.RepoTools.Reference;
 
 namespace FastPoints.HostTests.Repository;
 

@@ -1,6 +1,3 @@
-using FastPoints.RepoTools.Package;
-using UnityEngine.TestTools;
-
 namespace FastPoints.HostTests.Repository;
 
 public sealed class TestRulesTests

@@ -1,6 +1,3 @@
-using FastPoints.Samples.AttributeColours;
-using UnityEditor.SceneManagement;
-
 namespace FastPoints.HostTests.Samples;
 
 /// <summary>The menu commands of samples, and the scan that their scenes show.</summary>

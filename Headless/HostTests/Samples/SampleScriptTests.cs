@@ -1,10 +1,6 @@
-using FastPoints.HostTests.Remote;
 using FastPoints.Samples.AskAScan;
-using FastPoints.Samples.AttributeColours;
 using FastPoints.Samples.EditAndExport;
-using FastPoints.Samples.EntitiesOnly;
 using FastPoints.Samples.RemoteCloud;
-using FastPoints.Samples.RunTimeLoading;
 using FastPoints.Samples.StreamingFlight;
 
 namespace FastPoints.HostTests.Samples;

@@ -1,8 +1,3 @@
-using System.Runtime.CompilerServices;
-using FastPoints.Samples.AttributeColours;
-using FastPoints.Samples.EntitiesOnly;
-using FastPoints.Samples.RunTimeLoading;
-using UnityEditor.Build;
 using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.Samples;
@@ -364,9 +359,7 @@ public sealed class WalkTests : GraphicsFixture
         SceneLoop.Update();
         m_world.Update();
         if (Camera.main != null && Camera.main.targetTexture != null)
-        {
             Camera.main.Render();
-        }
         HeadlessGraphics.EndFrame();
     }
 

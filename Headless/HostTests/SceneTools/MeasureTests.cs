@@ -1,4 +1,3 @@
-using UnityEditor.SceneManagement;
 using PointCloud = FastPoints.Entities.PointCloud;
 
 namespace FastPoints.HostTests.SceneTools;
@@ -8,68 +7,62 @@ public sealed class MeasureTests : SceneToolFixture
     [Test]
     public void ScenePicker_RotatedAndScaledCloud_ReportsCoordinatesOfTheFile()
     {
-        using (var picker = new ScenePicker())
-        {
-            var ray = Down();
-            var pick = Find(picker, ray);
-            Assert.That(pick.Failure, Is.Null);
-            Assert.That(m_folder.Manifest.BoundsGeo.Contains(pick.Point.PositionGeo), Is.True);
-            Assert.That(math.distance(WorldOf(pick.Point.PositionGeo), pick.Point.PositionWorld), Is.LessThan(1e-6));
-            Assert.That(math.distance(ray.OriginWorld + pick.Point.Distance * ray.DirectionWorld, pick.Point.PositionWorld),
-                Is.LessThan(ray.RadiusAt(pick.Point.Distance)));
-            Assert.That(picker.EntityOf(pick.Cloud), Is.EqualTo(m_cloud.Entity));
-            Assert.That(pick.Path, Is.EqualTo(m_path));
-            Assert.That(pick.IsPreview, Is.False);
-        }
+        using var picker = new ScenePicker();
+        var ray = Down();
+        var pick = Find(picker, ray);
+        Assert.That(pick.Failure, Is.Null);
+        Assert.That(m_folder.Manifest.BoundsGeo.Contains(pick.Point.PositionGeo), Is.True);
+        Assert.That(math.distance(WorldOf(pick.Point.PositionGeo), pick.Point.PositionWorld), Is.LessThan(1e-6));
+        Assert.That(math.distance(ray.OriginWorld + pick.Point.Distance * ray.DirectionWorld, pick.Point.PositionWorld),
+            Is.LessThan(ray.RadiusAt(pick.Point.Distance)));
+        Assert.That(picker.EntityOf(pick.Cloud), Is.EqualTo(m_cloud.Entity));
+        Assert.That(pick.Path, Is.EqualTo(m_path));
+        Assert.That(pick.IsPreview, Is.False);
     }
 
     [Test]
     public void ScenePicker_OverriddenUnitAndUpAxis_ApplyToTheDistance()
     {
-        using (var picker = new ScenePicker())
-        {
-            StreamPick from = Find(picker, Down()), to = Find(picker, Down(5));
-            var asIs = new Measurement(from, to);
-            Assert.That((from.Up, from.Units), Is.EqualTo((UpAxis.Z, m_folder.Manifest.Crs.Units)));
-            Assert.That(asIs.HorizontalGeo, Is.EqualTo(math.length(asIs.DeltaGeo.xy)));
-            var file = m_world.EntityManager.GetComponentData<PointCloudFile>(m_cloud.Entity);
-            (file.Up, file.MetresPerUnitOverride) = (UpAxis.X, 0.25);
-            m_world.EntityManager.SetComponentData(m_cloud.Entity, file);
+        using var picker = new ScenePicker();
+        StreamPick from = Find(picker, Down()), to = Find(picker, Down(5));
+        var asIs = new Measurement(from, to);
+        Assert.That((from.Up, from.Units), Is.EqualTo((UpAxis.Z, m_folder.Manifest.Crs.Units)));
+        Assert.That(asIs.HorizontalGeo, Is.EqualTo(math.length(asIs.DeltaGeo.xy)));
+        var file = m_world.EntityManager.GetComponentData<PointCloudFile>(m_cloud.Entity);
+        (file.Up, file.MetresPerUnitOverride) = (UpAxis.X, 0.25);
+        m_world.EntityManager.SetComponentData(m_cloud.Entity, file);
 
-            bool IsShown() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity);
-            m_world.Update();
-            Assert.That(IsShown(), Is.False, "it is opened again");
-            Frames(IsShown);
-            var bounds = m_folder.Manifest.BoundsGeo;
-            from = Find(picker, PointQuery.FromEye(WorldOf(new double3(bounds.Max.x + 10, bounds.Center.y, bounds.Center.z)),
-                new double3(0, -1, 0), 100, 100));
+        bool IsShown() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity);
+        m_world.Update();
+        Assert.That(IsShown(), Is.False, "it is opened again");
+        Frames(IsShown);
+        var bounds = m_folder.Manifest.BoundsGeo;
+        from = Find(picker, PointQuery.FromEye(WorldOf(new double3(bounds.Max.x + 10, bounds.Center.y, bounds.Center.z)),
+            new double3(0, -1, 0), 100, 100));
 
-            var set = new Measurement(from, to);
-            Assert.That((from.Up, from.Units), Is.EqualTo((UpAxis.X, new CloudUnits(0.25))));
-            Assert.That(set.HorizontalGeo, Is.EqualTo(math.length(set.DeltaGeo.yz)).And.GreaterThan(0));
-            Assert.That(set.LengthMetres, Is.EqualTo(set.LengthGeo * 0.25));
-        }
+        var set = new Measurement(from, to);
+        Assert.That((from.Up, from.Units), Is.EqualTo((UpAxis.X, new CloudUnits(0.25))));
+        Assert.That(set.HorizontalGeo, Is.EqualTo(math.length(set.DeltaGeo.yz)).And.GreaterThan(0));
+        Assert.That(set.LengthMetres, Is.EqualTo(set.LengthGeo * 0.25));
     }
 
     [Test]
     public void ScenePicker_ClippedAndHiddenPoints_AreNotHit()
     {
-        using (var picker = new ScenePicker())
-        {
-            var first = Find(picker, Down()).Point;
-            var stream = m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
-            stream.ClipBoxes.Add(new ClipBox(first.PositionWorld - 0.5, first.PositionWorld + 0.5, true));
-            var second = Find(picker, Down()).Point;
-            Assert.That(second.Position, Is.Not.EqualTo(first.Position));
-            Assert.That(second.Distance, Is.GreaterThan(first.Distance));
-            stream.ClipBoxes.Clear();
-            Assert.That(Find(picker, Down()).Point.Position, Is.EqualTo(first.Position));
+        using var picker = new ScenePicker();
+        var first = Find(picker, Down()).Point;
+        var stream = m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
+        stream.ClipBoxes.Add(new ClipBox(first.PositionWorld - 0.5, first.PositionWorld + 0.5, true));
+        var second = Find(picker, Down()).Point;
+        Assert.That(second.Position, Is.Not.EqualTo(first.Position));
+        Assert.That(second.Distance, Is.GreaterThan(first.Distance));
+        stream.ClipBoxes.Clear();
+        Assert.That(Find(picker, Down()).Point.Position, Is.EqualTo(first.Position));
 
-            var ray = Down();
-            m_cloud.HiddenClasses = Enumerable.Range(0, 256).ToArray();
-            Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity));
-            Assert.That(Find(picker, ray).Point, Is.Null);
-        }
+        var ray = Down();
+        m_cloud.HiddenClasses = Enumerable.Range(0, 256).ToArray();
+        Frames(() => m_world.EntityManager.HasComponent<StreamedPointCloud>(m_cloud.Entity));
+        Assert.That(Find(picker, ray).Point, Is.Null);
     }
 
     [Test]
@@ -85,16 +78,14 @@ public sealed class MeasureTests : SceneToolFixture
     [Test]
     public void ScenePicker_NoWorldOrNoCloud_FindsNothing()
     {
-        using (var picker = new ScenePicker())
-        {
-            var ray = Down();
-            m_cloud.enabled = false;
-            var stream = m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
-            Frames(() => stream.Clouds.All(c => c == null || c.IsRemoving));
-            Assert.That(Find(picker, ray).Point, Is.Null);
-            m_world.Dispose();
-            Assert.That(picker.Begin(ray), Is.False);
-        }
+        using var picker = new ScenePicker();
+        var ray = Down();
+        m_cloud.enabled = false;
+        var stream = m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
+        Frames(() => stream.Clouds.All(c => c == null || c.IsRemoving));
+        Assert.That(Find(picker, ray).Point, Is.Null);
+        m_world.Dispose();
+        Assert.That(picker.Begin(ray), Is.False);
     }
 
     /// <summary>Looks straight down on a point of the cloud, 20 units above it, through the middle of 100 x 100 pixels.</summary>

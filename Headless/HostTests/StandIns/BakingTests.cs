@@ -1,5 +1,3 @@
-using StandIns.Entities;
-
 namespace FastPoints.HostTests.StandIns;
 
 public sealed class BakingTests

@@ -1,6 +1,3 @@
-using Unity.IO.LowLevel.Unsafe;
-using UnityOutside.Tests.Hpc;
-
 #pragma warning disable CA1821, CA1822, CA1823, CS0649, CS0169, CS1998, CS4014, IDE0052, IDE0059, IDE0060
 
 namespace FastPoints.HostTests.Threads

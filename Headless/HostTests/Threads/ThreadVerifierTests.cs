@@ -1,5 +1,3 @@
-using UnityOutside.Tests.Hpc;
-
 namespace FastPoints.HostTests.Threads;
 
 public sealed class ThreadVerifierTests

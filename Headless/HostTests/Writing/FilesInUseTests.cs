@@ -1,5 +1,3 @@
-using StandIns.Io;
-
 namespace FastPoints.HostTests.Writing;
 
 /// <summary>Builds by Windows' rules: what somebody reads is neither renamed nor deleted.</summary>

@@ -1,5 +1,3 @@
-using Mono.Cecil.Cil;
-
 namespace FastPoints.HostTests.Writing;
 
 /// <summary>Fractions become text, and text fractions, by NumberText alone: what the run time has for that differs between

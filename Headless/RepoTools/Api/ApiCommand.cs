@@ -1,5 +1,3 @@
-using FastPoints.RepoTools.Layers;
-
 namespace FastPoints.RepoTools.Api;
 
 public static class ApiCommand

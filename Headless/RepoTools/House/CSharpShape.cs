@@ -1,7 +1,3 @@
-using Microsoft.CodeAnalysis;
-using Microsoft.CodeAnalysis.CSharp;
-using Microsoft.CodeAnalysis.CSharp.Syntax;
-
 namespace FastPoints.RepoTools.House;
 
 public sealed record CSharpShape(IReadOnlyList<Counted> Parameters, IReadOnlyList<Counted> Methods,

@@ -1,5 +1,3 @@
-using FastPoints.RepoTools.Layers;
-
 namespace FastPoints.RepoTools.House;
 
 /// <summary>Which types of the product name which others, so which files one may have to read to follow a flow. A type is reached

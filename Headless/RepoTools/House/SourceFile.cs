@@ -1,5 +1,3 @@
-using FastPoints.RepoTools.Reference;
-
 namespace FastPoints.RepoTools.House;
 
 public sealed record SourceFile(string Path, string Text)

@@ -1,7 +1,3 @@
-using Microsoft.CodeAnalysis;
-using Microsoft.CodeAnalysis.CSharp;
-using Microsoft.CodeAnalysis.CSharp.Syntax;
-
 namespace FastPoints.RepoTools.Layers;
 
 /// <summary>Files of one room that name one another in a circle, so that none of them can be read or tested alone. A part is

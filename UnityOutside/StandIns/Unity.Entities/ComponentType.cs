@@ -1,5 +1,3 @@
-using StandIns.Entities;
-
 namespace Unity.Entities;
 
 public struct ComponentType : IEquatable<ComponentType>, IComparable<ComponentType>

@@ -1,6 +1,3 @@
-using StandIns.Entities;
-using Unity.Collections.LowLevel.Unsafe;
-
 namespace Unity.Entities;
 
 /// <summary>Invalid after the next structural change of its world; that of a command buffer is not.</summary>

@@ -1,7 +1,3 @@
-using StandIns.Entities;
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-
 namespace Unity.Entities;
 
 /// <summary>Changes that are made later, once and in order. Entities that it makes have numbers below 0 until then.</summary>

@@ -1,7 +1,3 @@
-using StandIns.Entities;
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-
 namespace Unity.Entities;
 
 public unsafe struct EntityManager : IEquatable<EntityManager>

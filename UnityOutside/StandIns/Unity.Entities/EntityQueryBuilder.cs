@@ -1,6 +1,3 @@
-using StandIns.Entities;
-using Unity.Collections;
-
 namespace Unity.Entities;
 
 /// <summary>A query names a type twice.</summary>

@@ -1,5 +1,3 @@
-using UnityEditor.Build.Reporting;
-
 namespace UnityEditor;
 
 public enum BuildTarget { StandaloneOSX = 2, Android = 13, StandaloneWindows64 = 19, WebGL = 20, StandaloneLinux64 = 24 }

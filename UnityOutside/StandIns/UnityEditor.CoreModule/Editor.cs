@@ -1,5 +1,3 @@
-using StandIns.Scene;
-
 namespace UnityEditor;
 
 [AttributeUsage(AttributeTargets.Class)]

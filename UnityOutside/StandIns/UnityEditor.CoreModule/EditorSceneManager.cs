@@ -1,4 +1,3 @@
-using StandIns.Scene;
 using UnityEngine.SceneManagement;
 
 namespace UnityEditor

@@ -1,4 +1,3 @@
-using UnityEditor.Build.Reporting;
 using UnityEditor.UnityLinker;
 
 namespace UnityEditor.UnityLinker

@@ -1,5 +1,3 @@
-using StandIns.Scene;
-
 namespace UnityEditor;
 
 public class EditorWindow : ScriptableObject

@@ -1,5 +1,3 @@
-using Mono.Cecil.Cil;
-
 namespace UnityOutside.Tests.Conformance;
 
 /// <summary>An assembly FastPoints.Planted whose IL names whatever a test wants of an assembly Unity.Things, and a list of what

@@ -1,5 +1,3 @@
-using Mono.Cecil.Cil;
-
 namespace UnityOutside.Tests.Conformance;
 
 public sealed class StandInUseTests

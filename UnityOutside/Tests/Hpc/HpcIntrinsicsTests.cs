@@ -1,6 +1,5 @@
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
-using UnityOutside.Hpc;
 
 namespace UnityOutside.Tests.Hpc;
 

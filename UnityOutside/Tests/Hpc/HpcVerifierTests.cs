@@ -1,5 +1,3 @@
-using UnityOutside.Hpc;
-
 namespace UnityOutside.Tests.Hpc;
 
 public sealed class HpcVerifierTests

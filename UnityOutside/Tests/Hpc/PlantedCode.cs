@@ -1,4 +1,3 @@
-using System.Runtime.CompilerServices;
 using Unity.Burst.CompilerServices;
 
 #pragma warning disable CA1814, CA1823, CA1508, CA2101, CS0649, IDE0059, IDE0150

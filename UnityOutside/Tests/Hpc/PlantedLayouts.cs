@@ -1,6 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
-
 #pragma warning disable CA1815, CA1823, CS0169, CS0649
 
 namespace UnityOutside.Tests.Hpc;

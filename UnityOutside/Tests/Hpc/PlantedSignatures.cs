@@ -1,5 +1,3 @@
-using System.Runtime.InteropServices;
-
 #pragma warning disable CA1401, CA1823, CA2101, CA5392, CS0169, CS0649, SYSLIB1054
 
 namespace UnityOutside.Tests.Hpc;

@@ -1,6 +1,5 @@
 using StandIns.Io;
 using StandIns.Scheduling;
-using Unity.IO.LowLevel.Unsafe;
 using Random = System.Random;
 
 namespace UnityOutside.Tests.StandIns;

@@ -1,4 +1,3 @@
-using Unity.Jobs.LowLevel.Unsafe;
 using Random = System.Random;
 
 namespace UnityOutside.Tests.StandIns;

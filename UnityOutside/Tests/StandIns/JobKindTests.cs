@@ -1,5 +1,3 @@
-using Unity.Jobs.LowLevel.Unsafe;
-
 namespace UnityOutside.Tests.StandIns;
 
 public sealed class JobKindTests

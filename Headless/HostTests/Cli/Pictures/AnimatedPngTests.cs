@@ -1,5 +1,3 @@
-using FastPoints.Cli.Output;
-
 namespace FastPoints.HostTests.Cli.Pictures;
 
 public class AnimatedPngTests

@@ -1,6 +1,3 @@
-using FastPoints.Drawing;
-using FastPoints.Picture;
-
 namespace FastPoints.HostTests.Cli;
 
 public sealed class LegendTests

@@ -1,5 +1,3 @@
-using FastPoints.Cli.Charts;
-
 namespace FastPoints.HostTests.Cli.Pictures;
 
 public sealed class RowChartTests

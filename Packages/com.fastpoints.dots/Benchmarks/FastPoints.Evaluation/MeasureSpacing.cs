@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Build;
 using FastPoints.Store;
 using Unity.Burst;
 using Unity.Collections;

@@ -93,9 +93,7 @@ namespace FastPoints.Editor
                 m_settingsEditor.OnInspectorGUI();
             }
             else if (GUILayout.Button("Add Point Cloud Settings"))
-            {
                 ObjectFactory.AddComponent<PointCloudSettings>(ObjectFactory.CreateGameObject("Point Cloud Settings"));
-            }
         }
 
         void DrawFrame()

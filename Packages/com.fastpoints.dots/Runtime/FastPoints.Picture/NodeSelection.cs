@@ -1,4 +1,3 @@
-using FastPoints.Build;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;

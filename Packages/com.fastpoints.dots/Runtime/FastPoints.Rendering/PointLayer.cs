@@ -1,5 +1,3 @@
-using FastPoints.Drawing;
-using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;

@@ -1,5 +1,3 @@
-using Unity.Collections.LowLevel.Unsafe;
-
 namespace Unity.Collections;
 
 public static unsafe class AllocatorManager

@@ -1,7 +1,3 @@
-using System.Diagnostics;
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-
 namespace StandIns.Collections;
 
 static class ContainerChecks

@@ -1,6 +1,3 @@
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-
 namespace StandIns.Collections;
 
 /// <summary>Keys and values in arrays, chained by index from buckets. The struct itself is allocated, so that copies of a map

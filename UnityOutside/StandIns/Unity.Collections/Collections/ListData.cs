@@ -1,7 +1,3 @@
-using System.Diagnostics;
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-
 namespace StandIns.Collections;
 
 /// <summary>A list's elements. The struct itself is allocated, so that copies of a list share it.</summary>

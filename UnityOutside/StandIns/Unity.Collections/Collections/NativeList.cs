@@ -1,7 +1,4 @@
 using System.Collections;
-using System.Diagnostics;
-using StandIns.Collections;
-using Unity.Collections.LowLevel.Unsafe;
 
 namespace Unity.Collections
 {

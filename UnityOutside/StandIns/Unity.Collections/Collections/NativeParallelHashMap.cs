@@ -1,6 +1,3 @@
-using StandIns.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-
 namespace Unity.Collections;
 
 [NativeContainer]

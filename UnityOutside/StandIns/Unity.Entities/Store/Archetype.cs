@@ -1,5 +1,3 @@
-using Unity.Entities;
-
 namespace StandIns.Entities;
 
 /// <summary>All entities with the same components, without gaps. Unity cuts them into chunks of 16 KiB; nothing here looks at

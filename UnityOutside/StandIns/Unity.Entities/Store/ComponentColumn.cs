@@ -1,6 +1,3 @@
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-
 namespace StandIns.Entities;
 
 sealed unsafe class ComponentColumn(int typeIndex) : IDisposable

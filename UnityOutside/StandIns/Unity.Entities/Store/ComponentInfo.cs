@@ -1,6 +1,3 @@
-using Unity.Collections.LowLevel.Unsafe;
-using Unity.Entities;
-
 namespace StandIns.Entities;
 
 sealed class ComponentInfo

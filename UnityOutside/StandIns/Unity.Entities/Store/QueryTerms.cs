@@ -1,5 +1,3 @@
-using Unity.Entities;
-
 namespace StandIns.Entities;
 
 sealed class QueryTerms

@@ -1,5 +1,3 @@
-using Unity.Entities;
-
 namespace StandIns.Entities;
 
 static class TypeRegistry

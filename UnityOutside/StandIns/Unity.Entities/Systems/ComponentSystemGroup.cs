@@ -1,5 +1,3 @@
-using StandIns.Entities;
-
 namespace Unity.Entities;
 
 public abstract class ComponentSystemGroup : SystemBase

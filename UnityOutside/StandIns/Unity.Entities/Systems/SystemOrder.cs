@@ -1,5 +1,3 @@
-using Unity.Entities;
-
 namespace StandIns.Entities;
 
 /// <summary>The order of a group's systems: first those that are OrderFirst, last those that are OrderLast, and among each as

@@ -1,5 +1,3 @@
-using StandIns.Entities;
-
 namespace Unity.Entities;
 
 public sealed class World : IDisposable

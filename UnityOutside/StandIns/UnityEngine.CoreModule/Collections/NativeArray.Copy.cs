@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace Unity.Collections;
 
 public unsafe partial struct NativeArray<T>

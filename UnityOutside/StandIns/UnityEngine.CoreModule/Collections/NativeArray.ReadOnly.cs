@@ -1,6 +1,4 @@
 using System.Collections;
-using System.Diagnostics;
-
 namespace Unity.Collections;
 
 public unsafe partial struct NativeArray<T>

@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace UnityEngine;
 
 /// <summary>A host sets what a frame takes.</summary>

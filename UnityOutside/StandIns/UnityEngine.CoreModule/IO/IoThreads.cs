@@ -1,6 +1,3 @@
-using System.Diagnostics;
-using Unity.IO.LowLevel.Unsafe;
-
 namespace StandIns.Io;
 
 /// <summary>Two threads that open, read and close files, first come first served.</summary>

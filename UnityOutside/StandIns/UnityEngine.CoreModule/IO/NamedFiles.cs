@@ -1,5 +1,3 @@
-using Unity.IO.LowLevel.Unsafe;
-
 namespace StandIns.Io;
 
 /// <summary>Files that were read by their name and stay open, as Unity keeps up to ten of them, but on Windows. Whoever reads

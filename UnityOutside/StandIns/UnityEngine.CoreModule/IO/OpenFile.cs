@@ -1,4 +1,3 @@
-using Unity.IO.LowLevel.Unsafe;
 #if NET
 using Microsoft.Win32.SafeHandles;
 #endif

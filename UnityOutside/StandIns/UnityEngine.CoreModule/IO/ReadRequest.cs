@@ -1,5 +1,3 @@
-using Unity.IO.LowLevel.Unsafe;
-
 namespace StandIns.Io;
 
 /// <summary>One read of several segments of a file, from the call to the last byte. Used again after Dispose, so that a

@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace StandIns.Io;
 
 /// <summary>Reads that take long, without waiting: each read sets the clock that jobs may look at forward. Nothing else does, so

@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace StandIns.Memory;
 
 static unsafe class AllocationLedger

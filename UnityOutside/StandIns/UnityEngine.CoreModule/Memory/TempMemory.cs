@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace StandIns.Memory;
 
 /// <summary>Allocator.Temp: memory of one thread that nobody has to give back. What a job leaves is freed when it ends, what the

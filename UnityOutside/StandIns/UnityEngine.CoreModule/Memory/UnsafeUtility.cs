@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace Unity.Collections.LowLevel.Unsafe;
 
 public static unsafe partial class UnsafeUtility

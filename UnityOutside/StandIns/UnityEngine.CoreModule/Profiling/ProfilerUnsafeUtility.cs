@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace Unity.Profiling.LowLevel.Unsafe;
 
 /// <summary>The clock that jobs may read.</summary>

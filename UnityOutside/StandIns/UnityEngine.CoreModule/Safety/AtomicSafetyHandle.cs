@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace Unity.Collections.LowLevel.Unsafe;
 
 /// <summary>A container's permission to touch its memory. The copy that a job gets says what the job declared; the others ask the

@@ -1,5 +1,3 @@
-using System.Collections.Concurrent;
-
 namespace StandIns.Safety;
 
 sealed class ContainerType

@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace StandIns.Safety;
 
 /// <summary>What Unity refuses when a job is scheduled.</summary>

@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace StandIns.Safety;
 
 /// <summary>What the job system writes into a job's copy of its struct before it runs. The copy lies in an object that a

@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace StandIns.Scheduling;
 
 /// <remarks>On Linux in time of the processor, to which other load of the machine adds little; elsewhere by the clock.</remarks>

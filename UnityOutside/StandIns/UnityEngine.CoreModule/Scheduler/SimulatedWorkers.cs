@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace StandIns.Scheduling;
 
 /// <summary>Workers in a clock of their own, as many as wanted, whatever the machine has: the calling thread runs their jobs, all

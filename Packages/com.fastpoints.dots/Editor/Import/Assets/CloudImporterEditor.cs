@@ -184,9 +184,7 @@ namespace FastPoints.Editor
                     queue.Resume(request);
             }
             else if (GUILayout.Button("Pause"))
-            {
                 queue.Pause(request);
-            }
             if (GUILayout.Button("Cancel"))
                 imports.Cancel(request);
         }

@@ -1,7 +1,5 @@
 using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using FastPoints.Nodes;
 using FastPoints.Reading;
 using FastPoints.Store;
 using Unity.Mathematics;

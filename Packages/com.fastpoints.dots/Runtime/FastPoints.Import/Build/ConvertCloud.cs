@@ -311,9 +311,7 @@ namespace FastPoints.Build
                     yield return JobStep.Of(m_chunks.SetAside(m_chunks.Chunks[inside]));
             }
             else if (m_chunks.Chunks.Count > inside)
-            {
                 yield return JobStep.Of(m_chunks.SplitOutside(cells, m_chunks.Chunks[inside]));
-            }
         }
 
         BaseCells Cells() => new BaseCells(m_build.Map.Cube, m_build.Map.BaseCells, m_build.Part != null ? new GridCube[0]

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using FastPoints.Build;
 using FastPoints.Reading;
 using FastPoints.Store;

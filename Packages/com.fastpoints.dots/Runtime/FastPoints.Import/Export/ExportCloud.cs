@@ -303,9 +303,7 @@ namespace FastPoints.Export
                         m_progress?.Report((next - inFlight.Count) / (double)m_ranges.Count, read, bytes);
                     }
                     else if (buffers != null)
-                    {
                         yield return buffers.OldestJobs;
-                    }
                     buffers?.Advance(filled, inFlight.Count == 0 ? 1 : 0);
                     yield return default;
                 }

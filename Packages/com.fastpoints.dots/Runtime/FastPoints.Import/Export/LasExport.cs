@@ -364,9 +364,7 @@ namespace FastPoints.Export
                     m_evlrs++;
                 }
                 else if ((bytes += length) <= MaxVlrBytes)
-                {
                     m_vlrs.Add(source.Read(vlr.Offset, (int)length, "VLR").Bytes);
-                }
             }
             if (bytes > MaxVlrBytes)
                 Losses.Add(new Loss("records", m_path, "more than 64 MiB of them lie before the points"));

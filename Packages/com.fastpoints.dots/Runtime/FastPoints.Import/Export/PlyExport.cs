@@ -2,7 +2,6 @@ using System;
 using System.Text;
 using FastPoints.Las;
 using FastPoints.Reading;
-using FastPoints.Text;
 
 namespace FastPoints.Export
 {

@@ -6,7 +6,6 @@ using FastPoints.E57;
 using FastPoints.Las;
 using FastPoints.Laz;
 using FastPoints.Reading;
-using FastPoints.Store;
 using FastPoints.Text;
 
 namespace FastPoints.Sources

@@ -1,6 +1,5 @@
 using System.Runtime.CompilerServices;
 using Unity.Burst.Intrinsics;
-using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 
 namespace FastPoints.Store

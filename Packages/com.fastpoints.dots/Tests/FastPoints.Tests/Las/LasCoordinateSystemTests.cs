@@ -123,7 +123,7 @@ namespace FastPoints.Tests.Las
         [Test]
         public void GeoKeys_CountBeyondTheRecord_ReadsTheExistingOnes()
         {
-            var directory = Shorts(1, 1, 0, 60000, 3072, 0, 1, 32633);
+            var directory = LasTestFile.Shorts(1, 1, 0, 60000, 3072, 0, 1, 32633);
             using var file = new LasTestFile().Vlr("LASF_Projection", 34735, directory);
             file.RandomPoints(5).Save();
             using var reader = PointReaders.Open(file.Path);
@@ -157,16 +157,8 @@ namespace FastPoints.Tests.Las
             directory.AddRange(entries);
             var numbers = new byte[8 * doubles.Length];
             Buffer.BlockCopy(doubles, 0, numbers, 0, numbers.Length);
-            return new LasTestFile().Vlr("LASF_Projection", 34735, Shorts(directory.ToArray()))
+            return new LasTestFile().Vlr("LASF_Projection", 34735, LasTestFile.Shorts(directory.ToArray()))
                 .Vlr("LASF_Projection", 34736, numbers).Vlr("LASF_Projection", 34737, Encoding.ASCII.GetBytes(text));
-        }
-
-        static byte[] Shorts(params int[] values)
-        {
-            var bytes = new byte[2 * values.Length];
-            for (int i = 0; i < values.Length; i++)
-                BitConverter.GetBytes((ushort)values[i]).CopyTo(bytes, 2 * i);
-            return bytes;
         }
     }
 }

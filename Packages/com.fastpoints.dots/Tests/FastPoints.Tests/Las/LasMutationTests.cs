@@ -37,7 +37,8 @@ namespace FastPoints.Tests.Las
         {
             using var file = new LasTestFile { Minor = minor, Format = format, ExtraBytes = 7, Padding = 2 };
             file.RandomPoints(40, format);
-            file.Vlr("LASF_Projection", 34735, Shorts(1, 1, 0, 3, 3072, 0, 1, 32633, 3073, 34737, 4, 0, 3077, 34736, 1, 0))
+            byte[] keys = LasTestFile.Shorts(1, 1, 0, 3, 3072, 0, 1, 32633, 3073, 34737, 4, 0, 3077, 34736, 1, 0);
+            file.Vlr("LASF_Projection", 34735, keys)
                 .Vlr("LASF_Projection", 34736, BitConverter.GetBytes(0.3))
                 .Vlr("LASF_Projection", 34737, Encoding.ASCII.GetBytes("abc|"));
             var extra = new byte[2 * 192];
@@ -102,13 +103,5 @@ namespace FastPoints.Tests.Las
             int range = random.Next(4) == 0 ? count : random.Next(2) == 0 ? Math.Min(head, 393) : head;
             return random.Next(Math.Min(range, count));
         });
-
-        static byte[] Shorts(params int[] values)
-        {
-            var bytes = new byte[2 * values.Length];
-            for (int i = 0; i < values.Length; i++)
-                BitConverter.GetBytes((ushort)values[i]).CopyTo(bytes, 2 * i);
-            return bytes;
-        }
     }
 }

@@ -18,6 +18,14 @@ namespace FastPoints.Tests.Las
             public byte[] Data;
         }
 
+        public static byte[] Shorts(params int[] values)
+        {
+            var bytes = new byte[2 * values.Length];
+            for (int i = 0; i < values.Length; i++)
+                BitConverter.GetBytes((ushort)values[i]).CopyTo(bytes, 2 * i);
+            return bytes;
+        }
+
         readonly List<Record> m_vlrs = new List<Record>();
         readonly List<Record> m_evlrs = new List<Record>();
 

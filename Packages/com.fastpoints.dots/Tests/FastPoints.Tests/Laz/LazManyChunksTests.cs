@@ -36,13 +36,11 @@ namespace FastPoints.Tests.Laz
             long offset = writer.Chunks[0].Offset, end = offset;
             foreach (int count in bytes)
                 end += count;
-            using (var file = new FileStream(FilePath, FileMode.Create, FileAccess.Write))
-            {
-                file.Write(head, 0, (int)offset - LazChunkTable.TableOffsetBytes);
-                file.Write(BitConverter.GetBytes(end), 0, LazChunkTable.TableOffsetBytes);
-                file.Position = end;
-                file.Write(table, 0, table.Length);
-            }
+            using var file = new FileStream(FilePath, FileMode.Create, FileAccess.Write);
+            file.Write(head, 0, (int)offset - LazChunkTable.TableOffsetBytes);
+            file.Write(BitConverter.GetBytes(end), 0, LazChunkTable.TableOffsetBytes);
+            file.Position = end;
+            file.Write(table, 0, table.Length);
             return offset;
         }
 

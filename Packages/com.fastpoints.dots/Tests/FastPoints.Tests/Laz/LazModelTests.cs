@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Laz;
-using FastPoints.Store;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

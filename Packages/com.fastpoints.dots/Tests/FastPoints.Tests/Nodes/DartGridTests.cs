@@ -15,54 +15,52 @@ namespace FastPoints.Tests.Nodes
             var random = new Unity.Mathematics.Random(7);
             const int Tiles = 3;
             long edge = 1L << cell + DartGrid.TileSpacingsLog2;
-            using (var all = new DartGrid(Allocator.Persistent))
+            using var all = new DartGrid(Allocator.Persistent);
+            var grid = all.For(cell, true);
+            grid.Clear(64);
+            var samples = new Grid3[900];
+            int count = 0, near = 0, chained = 0;
+            for (int tileNumber = 0; tileNumber < Tiles * Tiles; tileNumber++)
             {
-                var grid = all.For(cell, true);
-                grid.Clear(64);
-                var samples = new Grid3[900];
-                int count = 0, near = 0, chained = 0;
-                for (int tileNumber = 0; tileNumber < Tiles * Tiles; tileNumber++)
+                var corner = new Grid3((5 + tileNumber % Tiles) * edge, (7 + tileNumber / Tiles) * edge, 3 * edge);
+                var tile = grid.TileOf(corner);
+                grid.BeginTile(tile);
+                for (int i = 0; i < 300; i++)
                 {
-                    var corner = new Grid3((5 + tileNumber % Tiles) * edge, (7 + tileNumber / Tiles) * edge, 3 * edge);
-                    var tile = grid.TileOf(corner);
-                    grid.BeginTile(tile);
-                    for (int i = 0; i < 300; i++)
+                    var position = corner + new Grid3(Part(ref random, edge), Part(ref random, edge), Part(ref random, edge));
+                    ulong dart = grid.DartOf(position, 0);
+                    bool isNear = false;
+                    int nearest = -1;
+                    double min = double.PositiveInfinity;
+                    for (int s = 0; s < count; s++)
                     {
-                        var position = corner + new Grid3(Part(ref random, edge), Part(ref random, edge), Part(ref random, edge));
-                        ulong dart = grid.DartOf(position, 0);
-                        bool isNear = false;
-                        int nearest = -1;
-                        double min = double.PositiveInfinity;
-                        for (int s = 0; s < count; s++)
-                        {
-                            double distance = DistanceSq(samples[s], position, cell, out double nearSq);
-                            isNear |= distance < nearSq;
-                            if (distance >= nearSq || distance >= min)
-                                continue;
-                            min = distance;
-                            nearest = s;
-                        }
-                        Assert.That(grid.IsNear(dart), Is.EqualTo(isNear));
-                        Assert.That(grid.IsNearPlain(dart), Is.EqualTo(isNear));
-                        Assert.That(grid.Nearest(dart, out int found), Is.EqualTo(isNear));
-                        if (isNear)
-                            Assert.That(found, Is.EqualTo(nearest));
-                        near += isNear ? 1 : 0;
-                        // A third go in however near they are, in heaps.
-                        if (isNear && i % 3 != 0)
+                        double distance = DistanceSq(samples[s], position, cell, out double nearSq);
+                        isNear |= distance < nearSq;
+                        if (distance >= nearSq || distance >= min)
                             continue;
-                        for (int copies = i % 29 == 0 ? 10 : 1; copies > 0 && count < samples.Length; copies--)
-                        {
-                            grid.Add(dart, count);
-                            samples[count++] = position;
-                            chained += copies > 8 ? 1 : 0;
-                        }
+                        min = distance;
+                        nearest = s;
                     }
-                    grid.EndTile(tile);
+                    Assert.That(grid.IsNear(dart), Is.EqualTo(isNear));
+                    Assert.That(grid.IsNearPlain(dart), Is.EqualTo(isNear));
+                    Assert.That(grid.Nearest(dart, out int found), Is.EqualTo(isNear));
+                    if (isNear)
+                        Assert.That(found, Is.EqualTo(nearest));
+                    near += isNear ? 1 : 0;
+                    // A third go in however near they are, in heaps.
+                    if (isNear && i % 3 != 0)
+                        continue;
+                    for (int copies = i % 29 == 0 ? 10 : 1; copies > 0 && count < samples.Length; copies--)
+                    {
+                        grid.Add(dart, count);
+                        samples[count++] = position;
+                        chained += copies > 8 ? 1 : 0;
+                    }
                 }
-                Assert.That(near, Is.GreaterThan(90));
-                Assert.That(chained, Is.GreaterThan(5));
+                grid.EndTile(tile);
             }
+            Assert.That(near, Is.GreaterThan(90));
+            Assert.That(chained, Is.GreaterThan(5));
         }
 
         static long Part(ref Unity.Mathematics.Random random, long edge) => (long)(random.NextDouble() * edge);

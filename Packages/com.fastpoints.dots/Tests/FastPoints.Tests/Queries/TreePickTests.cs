@@ -100,16 +100,14 @@ namespace FastPoints.Tests.Queries
         static unsafe List<double3> PositionsOf(string path)
         {
             var positions = new List<double3>();
-            using (var reader = PointReaders.Open(path))
+            using var reader = PointReaders.Open(path);
+            JobCoroutine.RunToEnd(reader.IndexBlocks());
+            ReadPoints.EachBlock(reader, reader.Info.Schema.Select("X", "Y", "Z"), read =>
             {
-                JobCoroutine.RunToEnd(reader.IndexBlocks());
-                ReadPoints.EachBlock(reader, reader.Info.Schema.Select("X", "Y", "Z"), read =>
-                {
-                    var columns = PositionColumns.Of(read.Points);
-                    for (int i = 0; i < read.Points.Count; i++)
-                        positions.Add(columns.GeoAt((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), reader.Info.Transform, i));
-                });
-            }
+                var columns = PositionColumns.Of(read.Points);
+                for (int i = 0; i < read.Points.Count; i++)
+                    positions.Add(columns.GeoAt((byte*)read.Points.Bytes.GetUnsafeReadOnlyPtr(), reader.Info.Transform, i));
+            });
             return positions;
         }
 

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using FastPoints.Build;
-using FastPoints.Nodes;
 using FastPoints.Store;
 using NUnit.Framework;
 

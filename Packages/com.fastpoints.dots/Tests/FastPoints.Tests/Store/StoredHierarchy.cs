@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using FastPoints.Build;
-using FastPoints.Nodes;
 using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;

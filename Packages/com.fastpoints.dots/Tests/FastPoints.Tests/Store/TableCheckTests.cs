@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using FastPoints.Build;
 using FastPoints.Store;
 using NUnit.Framework;
 using Unity.Collections;

@@ -41,13 +41,7 @@ namespace FastPoints.Tests.Streaming
             m_stream = null;
         }
 
-        List<string> Failures()
-        {
-            var failures = new List<string>();
-            while (m_stream.TryTakeFailure(out var failure))
-                failures.Add(failure.ToString());
-            return failures;
-        }
+        List<string> Failures() => StreamedTestCloud.Failures(m_stream);
 
         static HashSet<(int, int, int)> Drawn(StreamContext stream) =>
             new HashSet<(int, int, int)>(stream.Drawn.AsArray().ToArray().Select(d => (d.Cloud, d.Page, d.Node)));

@@ -60,7 +60,7 @@ namespace FastPoints.Tests.Streaming
             bool hasLost = false;
             var camera = StreamedTestCloud.Overview();
             var step = new double3(0, 0, 0);
-            Add(stream, 0);
+            m_cloud.Add(stream, 0);
             for (int frame = 0; frame < frames; frame++)
             {
                 switch (random.NextInt(120))
@@ -82,7 +82,7 @@ namespace FastPoints.Tests.Streaming
                         break;
                     case 6:
                         if (stream.Clouds.Count(c => c != null && !c.IsRemoving) < 3)
-                            Add(stream, random.NextBool() ? 0 : s_beside);
+                            m_cloud.Add(stream, random.NextBool() ? 0 : s_beside);
                         break;
                     case 7:
                         stream.Remove(random.NextInt(stream.Clouds.Count));
@@ -128,14 +128,6 @@ namespace FastPoints.Tests.Streaming
             stream.Settings.Selection = StreamedTestCloud.Selection;
         }
 
-        int Add(StreamContext stream, double3 moved)
-        {
-            var source = m_cloud.Open();
-            var placement = StreamedTestCloud.Geo(source);
-            placement.OriginWorld += moved;
-            return stream.Add(source, placement);
-        }
-
         byte[] Picture(StreamContext stream, Camera camera)
         {
             var options = new PictureOptions { WidthPx = StreamedTestCloud.WidthPx, HeightPx = StreamedTestCloud.HeightPx };
@@ -143,7 +135,7 @@ namespace FastPoints.Tests.Streaming
             using var picture = new StreamedPicture(options);
             foreach (var moved in new[] { new double3(0, 0, 0), s_beside })
             {
-                int cloud = Add(stream, moved);
+                int cloud = m_cloud.Add(stream, moved);
                 var source = stream.Clouds[cloud].Source;
                 var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
                 picture.Add(new StreamedBlocks(stream, cloud, plan), ColorMode.Rgb);

@@ -20,22 +20,6 @@ namespace FastPoints.Tests.Streaming
         [TearDown]
         public void DeleteCloud() => m_cloud.Dispose();
 
-        int Add(StreamContext stream, double3 moved = default)
-        {
-            var source = m_cloud.Open();
-            var placement = StreamedTestCloud.Geo(source);
-            placement.OriginWorld += moved;
-            return stream.Add(source, placement);
-        }
-
-        static List<string> Failures(StreamContext stream)
-        {
-            var failures = new List<string>();
-            while (stream.TryTakeFailure(out var failure))
-                failures.Add(failure.ToString());
-            return failures;
-        }
-
         static int[] CloudsDrawn(StreamContext stream) =>
             stream.Drawn.AsArray().ToArray().Select(d => d.Cloud).Distinct().ToArray();
 
@@ -46,7 +30,7 @@ namespace FastPoints.Tests.Streaming
             for (int frames = 0; frames < 40; frames++)
             {
                 var stream = StreamedTestCloud.Stream();
-                Add(stream);
+                m_cloud.Add(stream);
                 for (int i = 0; i < frames; i++)
                     StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview());
                 stream.Dispose();
@@ -60,8 +44,8 @@ namespace FastPoints.Tests.Streaming
         public void Remove_WhileStreaming_KeepsTheOthersAndFreesItsNumber()
         {
             using var stream = StreamedTestCloud.Stream();
-            int first = Add(stream);
-            int second = Add(stream, new double3(0, 150, 0));
+            int first = m_cloud.Add(stream);
+            int second = m_cloud.Add(stream, new double3(0, 150, 0));
             for (int frames = 1; frames < 30; frames++)
             {
                 for (int i = 0; i < frames; i++)
@@ -72,7 +56,7 @@ namespace FastPoints.Tests.Streaming
                 Assert.That(CloudsDrawn(stream), Has.None.EqualTo(second));
                 StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
                 Assert.That(stream.Clouds[second], Is.Null);
-                Assert.That(Add(stream, new double3(0, 150, 0)), Is.EqualTo(second));
+                Assert.That(m_cloud.Add(stream, new double3(0, 150, 0)), Is.EqualTo(second));
             }
             StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
             Assert.That(CloudsDrawn(stream), Is.EquivalentTo(new[] { first, second }));
@@ -89,26 +73,24 @@ namespace FastPoints.Tests.Streaming
             var gone = m_cloud.ChunkFiles.OrderBy(f => f).Take(3).ToArray();
             foreach (string file in gone)
                 File.Delete(file);
-            using (var stream = StreamedTestCloud.Stream())
-            {
-                Add(stream);
-                StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-                var failures = Failures(stream);
-                Assert.That(failures.Count, Is.EqualTo(3));
-                foreach (string file in gone)
-                    Assert.That(failures, Has.Some.Contains(Path.GetFileName(file)));
-                Assert.That(stream.Drawn.AsArray().ToArray().Select(d => d.Page).Distinct().Count(),
-                    Is.EqualTo(1 + m_cloud.ChunkFiles.Length));
-                for (int i = 0; i < 100; i++)
-                    Assert.That(StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview()).RequestedNodes, Is.Zero);
-            }
+            using var stream = StreamedTestCloud.Stream();
+            m_cloud.Add(stream);
+            StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
+            var failures = StreamedTestCloud.Failures(stream);
+            Assert.That(failures.Count, Is.EqualTo(3));
+            foreach (string file in gone)
+                Assert.That(failures, Has.Some.Contains(Path.GetFileName(file)));
+            Assert.That(stream.Drawn.AsArray().ToArray().Select(d => d.Page).Distinct().Count(),
+                Is.EqualTo(1 + m_cloud.ChunkFiles.Length));
+            for (int i = 0; i < 100; i++)
+                Assert.That(StreamedTestCloud.Frame(stream, StreamedTestCloud.Overview()).RequestedNodes, Is.Zero);
         }
 
         [Test]
         public void Run_ChunkFileDeletedWhileShown_KeepsResidentNodes()
         {
             using var stream = StreamedTestCloud.Stream();
-            Add(stream);
+            m_cloud.Add(stream);
             stream.Settings.Selection.PointBudget = 10_000;
             int before = StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview()).DrawnNodes;
             foreach (string file in m_cloud.ChunkFiles)
@@ -116,7 +98,7 @@ namespace FastPoints.Tests.Streaming
             stream.Settings.Selection.PointBudget = 60_000;
             var stats = StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
             Assert.That(stats.DrawnNodes, Is.GreaterThanOrEqualTo(before));
-            Assert.That(Failures(stream), Is.Not.Empty.And.All.Contains("cannot be read"));
+            Assert.That(StreamedTestCloud.Failures(stream), Is.Not.Empty.And.All.Contains("cannot be read"));
         }
 
         [Test]
@@ -132,9 +114,9 @@ namespace FastPoints.Tests.Streaming
                 File.WriteAllBytes(path, bytes);
             }
             using var stream = StreamedTestCloud.Stream();
-            Add(stream);
+            m_cloud.Add(stream);
             StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-            Assert.That(Failures(stream), Is.EqualTo(new[] { path + " at " +
+            Assert.That(StreamedTestCloud.Failures(stream), Is.EqualTo(new[] { path + " at " +
                 stream.Clouds[0].RangeOf(0, 0, 0).OffsetBytes + ": node 0 is damaged" }));
             Assert.That(stream.Drawn.Length, Is.GreaterThan(10));
             Assert.That(stream.Drawn.AsArray().ToArray().Select(d => (d.Page, d.Node)), Has.None.EqualTo((0, 0)));
@@ -146,10 +128,10 @@ namespace FastPoints.Tests.Streaming
             List<string> Show()
             {
                 using var stream = StreamedTestCloud.Stream();
-                Add(stream);
+                m_cloud.Add(stream);
                 StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
                 Assert.That(stream.Drawn.Length, Is.GreaterThan(10));
-                return Failures(stream);
+                return StreamedTestCloud.Failures(stream);
             }
             string path;
             using (var folder = CloudFolder.Open(m_cloud.Path))
@@ -167,7 +149,7 @@ namespace FastPoints.Tests.Streaming
                 Assert.That(Show(), Has.Count.EqualTo(1).And.All.Contains("node 0 is damaged"));
             }
             using var again = StreamedTestCloud.Stream();
-            var shown = (FolderSource)again.Clouds[Add(again)].Source;
+            var shown = (FolderSource)again.Clouds[m_cloud.Add(again)].Source;
             StreamedTestCloud.Settle(again, StreamedTestCloud.Overview());
             Assert.That(shown.IsVerified(0, 0, 0), Is.False);
             Assert.That(shown.IsVerified(1, 0, 0), Is.True, "in another file");
@@ -178,7 +160,7 @@ namespace FastPoints.Tests.Streaming
         public void Run_DescriptorChangedAfterItsHashWasRight_IsNotShown()
         {
             using var stream = StreamedTestCloud.Stream();
-            Add(stream);
+            m_cloud.Add(stream);
             StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
             Assert.That(stream.Clouds[0].Source.IsVerified(0, 0, 0), Is.True);
             string path = stream.Clouds[0].Source.PathOf(0);
@@ -187,7 +169,7 @@ namespace FastPoints.Tests.Streaming
             File.WriteAllBytes(path, bytes);
             stream.Release(stream.Clouds[0].Pages[0].States[0].Slot);
             StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-            Assert.That(Failures(stream), Has.Count.EqualTo(1).And.All.Contains("node 0 is damaged"));
+            Assert.That(StreamedTestCloud.Failures(stream), Has.Count.EqualTo(1).And.All.Contains("node 0 is damaged"));
             Assert.That(stream.Clouds[0].Source.IsVerified(0, 0, 0), Is.False);
             Assert.That(stream.Clouds[0].Source.IsVerified(0, 1, 0), Is.False, "all of the file is checked again");
         }
@@ -200,9 +182,10 @@ namespace FastPoints.Tests.Streaming
             bytes[FileHeader.SizeBytes + PageHeader.SizeBytes + 5] ^= 1;
             File.WriteAllBytes(file, bytes);
             using var stream = StreamedTestCloud.Stream();
-            Add(stream);
+            m_cloud.Add(stream);
             StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
-            Assert.That(Failures(stream), Has.Count.EqualTo(1).And.All.Contains(Path.GetFileName(file)).And.All.Contains("hash"));
+            Assert.That(StreamedTestCloud.Failures(stream),
+                Has.Count.EqualTo(1).And.All.Contains(Path.GetFileName(file)).And.All.Contains("hash"));
             Assert.That(stream.Drawn.Length, Is.GreaterThan(10));
         }
 
@@ -210,7 +193,7 @@ namespace FastPoints.Tests.Streaming
         public void Run_HierarchyTooLarge_UnloadsPagesOutOfView()
         {
             using var stream = StreamedTestCloud.Stream();
-            Add(stream);
+            m_cloud.Add(stream);
             StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
             long all = stream.Clouds[0].HierarchyBytes;
             stream.Settings.MaxHierarchyBytes = 0;

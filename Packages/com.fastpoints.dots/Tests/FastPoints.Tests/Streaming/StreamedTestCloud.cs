@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using FastPoints.Build;
@@ -63,6 +64,22 @@ namespace FastPoints.Tests.Streaming
 
         public static CloudPlacement Geo(NodeSource source) => CloudPlacement.Geo(source.Grid, source.Root);
 
+        public int Add(StreamContext stream, double3 moved = default)
+        {
+            var source = Open();
+            var placement = Geo(source);
+            placement.OriginWorld += moved;
+            return stream.Add(source, placement);
+        }
+
+        public static List<string> Failures(StreamContext stream)
+        {
+            var failures = new List<string>();
+            while (stream.TryTakeFailure(out var failure))
+                failures.Add(failure.ToString());
+            return failures;
+        }
+
         public static LodSettings Selection
         {
             get
@@ -91,17 +108,23 @@ namespace FastPoints.Tests.Streaming
         public static Camera Overview() => Camera.Perspective(OriginGeo + new double3(100, -160, 180),
             OriginGeo + new double3(100, 100, 0), new double3(0, 0, 1), 60);
 
-        public static FrameStats Frame(StreamContext stream, Camera camera)
+        public static FrameStats Frame(StreamContext stream, Camera camera) =>
+            Frame(stream, camera.ToStreamView(WidthPx, HeightPx));
+
+        public static FrameStats Frame(StreamContext stream, StreamView view)
         {
-            using var views = new NativeArray<StreamView>(1, Allocator.Temp) { [0] = camera.ToStreamView(WidthPx, HeightPx) };
+            using var views = new NativeArray<StreamView>(1, Allocator.Temp) { [0] = view };
             return FrameStep.Run(stream, views);
         }
 
-        public static FrameStats Settle(StreamContext stream, Camera camera)
+        public static FrameStats Settle(StreamContext stream, Camera camera) =>
+            Settle(stream, camera.ToStreamView(WidthPx, HeightPx));
+
+        public static FrameStats Settle(StreamContext stream, StreamView view)
         {
             for (int frame = 0; frame < MaxFrames; frame++)
             {
-                var stats = Frame(stream, camera);
+                var stats = Frame(stream, view);
                 if (stats.IsSettled)
                     return stats;
                 Thread.Yield();

@@ -194,18 +194,16 @@ namespace FastPoints.Tests.Text
             lines[70] = "1e300 2 3 4 5 6";
             lines[80] = "# a remark";
             lines[90] = "12";
-            using (var reader = Open(string.Join("\n", lines)))
-            {
-                var expected = Enumerable.Range(0, 100).Where(i => !new[] { 20, 30, 40, 70, 80, 90 }.Contains(i))
-                    .Select(i => i.ToString());
-                Assert.That(Points(reader, "X"), Is.EqualTo(expected));
-                Assert.That(Points(reader).Count, Is.EqualTo(94), "whatever is asked for");
-                var warnings = reader.Info.Warnings.Select(w => w.Text).ToList();
-                Assert.That(warnings, Has.Some.StartsWith("5 lines are no points and left out; the first one: too few values"));
-                Assert.That(warnings, Has.Some.StartsWith("1 lines have more values"));
-                Assert.That(reader.Info.Warnings[0].ByteOffset,
-                    Is.EqualTo(string.Join("\n", lines).IndexOf("\n20 2 3 4 5\n", StringComparison.Ordinal) + 1));
-            }
+            using var reader = Open(string.Join("\n", lines));
+            var expected = Enumerable.Range(0, 100).Where(i => !new[] { 20, 30, 40, 70, 80, 90 }.Contains(i))
+                .Select(i => i.ToString());
+            Assert.That(Points(reader, "X"), Is.EqualTo(expected));
+            Assert.That(Points(reader).Count, Is.EqualTo(94), "whatever is asked for");
+            var warnings = reader.Info.Warnings.Select(w => w.Text).ToList();
+            Assert.That(warnings, Has.Some.StartsWith("5 lines are no points and left out; the first one: too few values"));
+            Assert.That(warnings, Has.Some.StartsWith("1 lines have more values"));
+            Assert.That(reader.Info.Warnings[0].ByteOffset,
+                Is.EqualTo(string.Join("\n", lines).IndexOf("\n20 2 3 4 5\n", StringComparison.Ordinal) + 1));
         }
 
         [Test]

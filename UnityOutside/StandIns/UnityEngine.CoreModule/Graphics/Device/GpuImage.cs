@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace StandIns.Graphics;
 
 sealed unsafe class GpuImage

@@ -1,5 +1,3 @@
-using UnityOutside.Graphics;
-
 namespace StandIns.Graphics;
 
 /// <summary>What the host asks of the device, in order: one recording is open at a time, a submission is a number, and what is no

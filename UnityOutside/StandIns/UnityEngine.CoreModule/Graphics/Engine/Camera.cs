@@ -116,25 +116,23 @@ public sealed class Camera : Behaviour
     void RenderEye()
     {
         onPreRender?.Invoke(this);
-        using (var target = new CommandBuffer())
-        {
-            // Both eyes of a headset, where they are drawn at once.
-            int slice = stereoEnabled && Target.volumeDepth > 1 ? -1 : 0;
-            target.SetRenderTarget(Target, Target, 0, CubemapFace.Unknown, slice);
-            target.ClearRenderTarget(true, true, backgroundColor);
-            Graphics.ExecuteCommandBuffer(target);
-            target.Clear();
-            // Each finds the camera's target and viewport set, whatever the one before it has drawn into.
-            target.SetRenderTarget(BuiltinRenderTextureType.CameraTarget, BuiltinRenderTextureType.CameraTarget, 0,
-                CubemapFace.Unknown, slice);
-            if (Part is Rect part)
-                target.SetViewport(new Rect(part.x, Target.IsScreen ? Target.height - part.y - part.height : part.y,
-                    scaledPixelWidth, scaledPixelHeight));
-            Graphics.DrawPrimitives(this, target, Target);
-            foreach (var (_, commands) in m_commands.OrderBy(c => c.Event))
-                Graphics.Execute(target, commands, Target);
-            Graphics.EndCamera();
-        }
+        using var target = new CommandBuffer();
+        // Both eyes of a headset, where they are drawn at once.
+        int slice = stereoEnabled && Target.volumeDepth > 1 ? -1 : 0;
+        target.SetRenderTarget(Target, Target, 0, CubemapFace.Unknown, slice);
+        target.ClearRenderTarget(true, true, backgroundColor);
+        Graphics.ExecuteCommandBuffer(target);
+        target.Clear();
+        // Each finds the camera's target and viewport set, whatever the one before it has drawn into.
+        target.SetRenderTarget(BuiltinRenderTextureType.CameraTarget, BuiltinRenderTextureType.CameraTarget, 0,
+            CubemapFace.Unknown, slice);
+        if (Part is Rect part)
+            target.SetViewport(new Rect(part.x, Target.IsScreen ? Target.height - part.y - part.height : part.y,
+                scaledPixelWidth, scaledPixelHeight));
+        Graphics.DrawPrimitives(this, target, Target);
+        foreach (var (_, commands) in m_commands.OrderBy(c => c.Event))
+            Graphics.Execute(target, commands, Target);
+        Graphics.EndCamera();
     }
 
     public Color backgroundColor { get; set; }

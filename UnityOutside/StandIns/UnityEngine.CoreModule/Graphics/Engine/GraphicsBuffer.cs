@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace UnityEngine;
 
 /// <summary>Memory of the device. One made with LockBufferForWrite lies where the host sees it, any other where only the device

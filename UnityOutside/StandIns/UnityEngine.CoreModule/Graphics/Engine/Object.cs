@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using StandIns;
 
 namespace UnityEngine;

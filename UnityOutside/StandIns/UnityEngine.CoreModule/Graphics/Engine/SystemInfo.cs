@@ -1,5 +1,3 @@
-using UnityOutside.Graphics;
-
 namespace UnityEngine;
 
 /// <summary>What the device can; with none, as on a server without graphics: nothing.</summary>

@@ -1,5 +1,3 @@
-using UnityEngine.Rendering;
-
 namespace UnityEngine
 {
     public sealed class Light : Behaviour

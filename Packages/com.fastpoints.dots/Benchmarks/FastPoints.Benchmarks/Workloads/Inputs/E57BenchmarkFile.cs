@@ -76,26 +76,24 @@ namespace FastPoints.Benchmarks
             string path = context.PathOf("hills", ".e57");
             if (File.Exists(path))
                 return path;
-            using (var pages = new Pages(path))
+            using var pages = new Pages(path);
+            pages.Write(new byte[HeaderBytes], HeaderBytes);
+            long packets = (context.Points + PacketRecords - 1) / PacketRecords;
+            pages.Write(SectionHeader(context.Points, packets), SectionHeaderBytes);
+            var random = new Unity.Mathematics.Random(context.Seed);
+            var packet = new byte[1 << 16];
+            var records = new uint[PacketRecords * s_bits.Length];
+            for (long first = 0; first < context.Points; first += PacketRecords)
             {
-                pages.Write(new byte[HeaderBytes], HeaderBytes);
-                long packets = (context.Points + PacketRecords - 1) / PacketRecords;
-                pages.Write(SectionHeader(context.Points, packets), SectionHeaderBytes);
-                var random = new Unity.Mathematics.Random(context.Seed);
-                var packet = new byte[1 << 16];
-                var records = new uint[PacketRecords * s_bits.Length];
-                for (long first = 0; first < context.Points; first += PacketRecords)
-                {
-                    int count = (int)Math.Min(PacketRecords, context.Points - first);
-                    Fill(records, first, count, context.Points, ref random);
-                    pages.Write(packet, Pack(records, count, packet));
-                }
-                byte[] xml = Encoding.UTF8.GetBytes(Xml(context.Points));
-                long xmlOffset = pages.Length;
-                pages.Write(xml, xml.Length);
-                long pageCount = (pages.Length + DataBytes - 1) / DataBytes;
-                pages.Complete(Header(pageCount * PageBytes, Physical(xmlOffset), xml.Length));
+                int count = (int)Math.Min(PacketRecords, context.Points - first);
+                Fill(records, first, count, context.Points, ref random);
+                pages.Write(packet, Pack(records, count, packet));
             }
+            byte[] xml = Encoding.UTF8.GetBytes(Xml(context.Points));
+            long xmlOffset = pages.Length;
+            pages.Write(xml, xml.Length);
+            long pageCount = (pages.Length + DataBytes - 1) / DataBytes;
+            pages.Complete(Header(pageCount * PageBytes, Physical(xmlOffset), xml.Length));
             return path;
         }
 

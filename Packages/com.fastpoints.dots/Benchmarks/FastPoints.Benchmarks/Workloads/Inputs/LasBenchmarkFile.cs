@@ -33,15 +33,13 @@ namespace FastPoints.Benchmarks
             };
             var records = new byte[BlockPoints * RecordBytes];
             var random = new System.Random((int)context.Seed);
-            using (var writer = LasWriter.Create(path, settings))
+            using var writer = LasWriter.Create(path, settings);
+            for (int first = 0; first < context.Points; first += BlockPoints)
             {
-                for (int first = 0; first < context.Points; first += BlockPoints)
-                {
-                    random.NextBytes(records);
-                    writer.AppendRecords(records, Math.Min(BlockPoints, context.Points - first));
-                }
-                writer.Complete();
+                random.NextBytes(records);
+                writer.AppendRecords(records, Math.Min(BlockPoints, context.Points - first));
             }
+            writer.Complete();
             return path;
         }
     }

@@ -28,18 +28,16 @@ namespace FastPoints.Benchmarks
             var random = new Unity.Mathematics.Random(context.Seed);
             double side = Math.Sqrt(context.Points) * Spacing;
             int perLine = Math.Max(1, (int)Math.Sqrt(context.Points));
-            using (var writer = LasWriter.Create(path, settings))
+            using var writer = LasWriter.Create(path, settings);
+            for (int first = 0; first < context.Points; first += PointsPerPiece)
             {
-                for (int first = 0; first < context.Points; first += PointsPerPiece)
-                {
-                    int count = Math.Min(PointsPerPiece, context.Points - first);
-                    fixed (byte* start = records)
-                        for (int i = 0; i < count; i++)
-                            Write(start + i * RecordBytes, first + i, perLine, side, ref random);
-                    writer.AppendRecords(records, count);
-                }
-                writer.Complete();
+                int count = Math.Min(PointsPerPiece, context.Points - first);
+                fixed (byte* start = records)
+                    for (int i = 0; i < count; i++)
+                        Write(start + i * RecordBytes, first + i, perLine, side, ref random);
+                writer.AppendRecords(records, count);
             }
+            writer.Complete();
             return path;
         }
 

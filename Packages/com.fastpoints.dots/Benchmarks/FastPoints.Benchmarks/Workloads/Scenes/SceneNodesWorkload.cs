@@ -2,7 +2,6 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
 using FastPoints.Streaming;
-using Unity.Collections;
 using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks

@@ -5,7 +5,6 @@ using FastPoints.Queries;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks

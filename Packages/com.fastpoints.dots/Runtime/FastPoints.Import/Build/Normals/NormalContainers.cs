@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Drawing;
-using FastPoints.Nodes;
 using FastPoints.Store;
 using Unity.Burst;
 using Unity.Collections;

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
-using FastPoints.Build;
 using FastPoints.Nodes;
 using FastPoints.Reading;
 using FastPoints.Store;

@@ -117,9 +117,7 @@ namespace FastPoints.Laz
                         }
                     }
                     else if (step != 0)
-                    {
                         returns = returns & 0xF0 | returns + (step == 1 ? 1 : 15) & 15;
-                    }
                     context->m_returns = returns;
                 }
                 context->m_timeChanged = timeChanged;

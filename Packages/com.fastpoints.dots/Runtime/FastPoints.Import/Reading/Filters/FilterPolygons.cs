@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Store;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Burst;
 using Unity.Collections;

@@ -61,9 +61,7 @@ namespace FastPoints.Text
                     position += (long)count * step.Count;
                 }
                 else if (step.Kind == PlyStepKind.Value && point >= 0)
-                {
                     Store(p, output + step.ColumnOffsetBytes, point, step.Bytes);
-                }
             }
             return PlyError.None;
         }

@@ -126,9 +126,7 @@ namespace FastPoints
                 sticky |= words[top - 1] << shift != 0;
             }
             else if (top > 0)
-            {
                 sticky |= words[top - 1] != 0;
-            }
             for (int i = 0; i < top - 1; i++)
                 sticky |= words[i] != 0;
             return Assemble(leading, exponent2 + 64 * top - shift, sticky, mantissaBits, minExponent);

@@ -145,9 +145,7 @@ namespace FastPoints.Streaming
                     PushNode(cloud, page, index, n, spacing, parent);
             }
             else if (page->Status != HierarchyPageStatus.Failed && screenErrorPx >= Settings.MinScreenErrorPx)
-            {
                 Heap.Push(new SelectionCandidate { ScreenErrorPx = screenErrorPx, Cloud = cloud, Page = index, Node = -1 });
-            }
         }
 
         // Returns the spacing in the camera that shows it largest; if none does, in such a light.

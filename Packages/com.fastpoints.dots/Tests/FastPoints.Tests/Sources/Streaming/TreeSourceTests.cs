@@ -30,32 +30,11 @@ namespace FastPoints.Tests.Sources
         static int Add(StreamContext stream, TreeSource source) =>
             stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root));
 
-        static FrameStats Frame(StreamContext stream, double scalePx)
-        {
-            using var views = new NativeArray<StreamView>(1, Allocator.Temp) { [0] = StreamView.Everything(scalePx) };
-            return FrameStep.Run(stream, views);
-        }
+        static FrameStats Frame(StreamContext stream, double scalePx) =>
+            StreamedTestCloud.Frame(stream, StreamView.Everything(scalePx));
 
-        static FrameStats Settle(StreamContext stream, double scalePx = 1e12)
-        {
-            for (int frame = 0; frame < MaxFrames; frame++)
-            {
-                var stats = Frame(stream, scalePx);
-                if (stats.IsSettled)
-                    return stats;
-                Thread.Yield();
-            }
-            Assert.Fail("streaming did not come to rest");
-            return default;
-        }
-
-        static List<string> Failures(StreamContext stream)
-        {
-            var failures = new List<string>();
-            while (stream.TryTakeFailure(out var failure))
-                failures.Add(failure.ToString());
-            return failures;
-        }
+        static FrameStats Settle(StreamContext stream, double scalePx = 1e12) =>
+            StreamedTestCloud.Settle(stream, StreamView.Everything(scalePx));
 
         [Test]
         public void Run_AllSelected_DrawsEveryPointExactly(
@@ -66,7 +45,7 @@ namespace FastPoints.Tests.Sources
             var source = cloud.Open(StoreLayout.ColorName, AttributeNames.Intensity);
             int number = Add(stream, source);
             var stats = Settle(stream);
-            Assert.That(Failures(stream), Is.Empty);
+            Assert.That(StreamedTestCloud.Failures(stream), Is.Empty);
             Assert.That(stats.DrawnPoints, Is.EqualTo(3000));
             Assert.That(source.PageCount, Is.GreaterThan(1), "pages of the hierarchy");
             var drawn = StreamedPoints.Drawn(stream, number);
@@ -83,7 +62,7 @@ namespace FastPoints.Tests.Sources
             using var stream = Stream();
             Add(stream, cloud.Open());
             Assert.That(Settle(stream).DrawnPoints, Is.EqualTo(3000));
-            Assert.That(Failures(stream), Is.Empty);
+            Assert.That(StreamedTestCloud.Failures(stream), Is.Empty);
         }
 
         [Test]
@@ -142,7 +121,7 @@ namespace FastPoints.Tests.Sources
             stream.ClipBoxes.Clear();
             Assert.That(Settle(stream).DrawnPoints, Is.EqualTo(points));
             Assert.That(tree.PageCount, Is.EqualTo(pages));
-            Assert.That(Failures(stream), Is.Empty);
+            Assert.That(StreamedTestCloud.Failures(stream), Is.Empty);
         }
 
         static (double3 Corner, double3 Edge) DeepestNode(string path, out int levels, out int pages)
@@ -194,7 +173,7 @@ namespace FastPoints.Tests.Sources
             Settle(stream);
             Assert.That(StreamedPoints.Drawn(stream, number), Is.EqualTo(
                 StreamedPoints.Of(cloud.Path, stream.Clouds[number].Source.Grid, s_color)));
-            Assert.That(Failures(stream), Is.Empty);
+            Assert.That(StreamedTestCloud.Failures(stream), Is.Empty);
             stream.Remove(number);
             Settle(stream);
             Assert.That(stream.Pool.UsedBytes, Is.Zero);
@@ -218,7 +197,7 @@ namespace FastPoints.Tests.Sources
             Assert.That(quiet, Is.EqualTo(20), "it came to rest");
             Assert.That(stream.Drawn.Length, Is.InRange(10, stream.Selector.Selected.Length - 10));
             Assert.That(stream.Pool.FindProblem(), Is.Null);
-            Assert.That(Failures(stream), Is.Empty);
+            Assert.That(StreamedTestCloud.Failures(stream), Is.Empty);
         }
 
         [Test]
@@ -235,7 +214,7 @@ namespace FastPoints.Tests.Sources
             {
                 Add(stream, TreeTestCloud.Open(file.Path, StoreLayout.ColorName));
                 var stats = Settle(stream);
-                var failures = Failures(stream);
+                var failures = StreamedTestCloud.Failures(stream);
                 Assert.That(failures.Count, Is.EqualTo(1));
                 Assert.That(failures[0], Does.Contain(file.Path).And.Contain("damaged"));
                 Assert.That(stats.DrawnPoints, Is.EqualTo(3000 - writer.Nodes[1].Records.Count));
@@ -273,7 +252,7 @@ namespace FastPoints.Tests.Sources
                 File.Delete(file);
             Add(stream, source);
             var stats = Settle(stream);
-            var failures = Failures(stream);
+            var failures = StreamedTestCloud.Failures(stream);
             Assert.That(failures.Count, Is.EqualTo(3));
             foreach (string file in gone)
                 Assert.That(failures, Has.Some.Contains(Path.GetFileName(file)));
@@ -296,7 +275,7 @@ namespace FastPoints.Tests.Sources
             stream.Settings.Selection.PointBudget = 20_000;
             var stats = Settle(stream);
             Assert.That(stats.DrawnPoints, Is.GreaterThanOrEqualTo(before / 2).And.LessThan(20_000));
-            Assert.That(Failures(stream).Count, Is.InRange(1, stream.Clouds[0].PageCount));
+            Assert.That(StreamedTestCloud.Failures(stream).Count, Is.InRange(1, stream.Clouds[0].PageCount));
             for (int i = 0; i < 50; i++)
                 Assert.That(Frame(stream, 1e12).RequestedNodes, Is.Zero);
         }
@@ -309,7 +288,7 @@ namespace FastPoints.Tests.Sources
             using var stream = StreamedTestCloud.Stream(64 << 20, 16 << 10);
             Add(stream, TreeTestCloud.Open(file.Path, StoreLayout.ColorName));
             var stats = Settle(stream);
-            var failures = Failures(stream);
+            var failures = StreamedTestCloud.Failures(stream);
             Assert.That(failures, Is.Not.Empty.And.All.Contains("a bank of the pool has"));
             Assert.That(stats.DrawnNodes, Is.EqualTo(writer.Nodes.Count(n => n.Records.Count > 0) - failures.Count));
         }
@@ -326,7 +305,7 @@ namespace FastPoints.Tests.Sources
             int number = Add(stream, source);
             Assert.That(Settle(stream).DrawnPoints, Is.EqualTo(20_000));
             Assert.That(StreamedPoints.Drawn(stream, number), Is.EqualTo(StreamedPoints.Of(file.Path, source.Grid, s_color)));
-            Assert.That(Failures(stream), Is.Empty);
+            Assert.That(StreamedTestCloud.Failures(stream), Is.Empty);
             Assert.That(stream.Pool.FindProblem(), Is.Null);
         }
 
@@ -344,7 +323,7 @@ namespace FastPoints.Tests.Sources
             Assert.That(Settle(stream).DrawnPoints, Is.EqualTo(26_000));
             stream.Remove(1);
             Assert.That(Settle(stream).DrawnPoints, Is.EqualTo(23_000));
-            Assert.That(Failures(stream), Is.Empty);
+            Assert.That(StreamedTestCloud.Failures(stream), Is.Empty);
         }
 
         [Test]
@@ -458,7 +437,7 @@ namespace FastPoints.Tests.Sources
             var source = TreeTestCloud.Open(path, StoreLayout.ColorName);
             int number = Add(stream, source);
             Settle(stream);
-            Assert.That(Failures(stream), Is.Empty);
+            Assert.That(StreamedTestCloud.Failures(stream), Is.Empty);
             var expected = StreamedPoints.Of(path, source.Grid, source.Layout.PlaneOf(StoreLayout.ColorName) > 0 ? s_color
                 : new string[0]);
             Assert.That(StreamedPoints.Drawn(stream, number).SequenceEqual(expected), Is.True);
