@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.IO.Compression;
 using System.Text;
+using FastPoints.Store;
 
 namespace FastPoints.Reading
 {
@@ -12,7 +13,7 @@ namespace FastPoints.Reading
         const int CompoundKind = byte.MaxValue;
 
         static readonly Lazy<Dictionary<int, double>> s_metresOfUnit = new Lazy<Dictionary<int, double>>(ReadUnits);
-        static readonly Lazy<byte[]> s_codes = new Lazy<byte[]>(() => Inflate(Codes));
+        static readonly Lazy<byte[]> s_codes = new Lazy<byte[]>(() => Convert.FromBase64String(Codes));
         static readonly Lazy<string[]> s_names = new Lazy<string[]>(ReadNames);
         static readonly string[] s_kinds = Kinds.Split(';');
 
@@ -84,20 +85,9 @@ namespace FastPoints.Reading
 
         static string[] ReadNames()
         {
-            string[] lines = Encoding.UTF8.GetString(Inflate(Names)).Split('\n');
-            var names = new string[lines.Length - 1];
-            for (int i = 0; i < names.Length; i++)
-                names[i] = (i > 0 ? names[i - 1].Substring(0, lines[0][i] - ' ') : "") + lines[i + 1];
-            return names;
-        }
-
-        static byte[] Inflate(string base64)
-        {
-            using var deflated = new DeflateStream(new MemoryStream(Convert.FromBase64String(base64)),
-                CompressionMode.Decompress);
-            var bytes = new MemoryStream();
-            deflated.CopyTo(bytes);
-            return bytes.ToArray();
+            using var names = new StreamReader(new DeflateStream(new MemoryStream(Convert.FromBase64String(Names)),
+                CompressionMode.Decompress), Encoding.UTF8);
+            return names.ReadToEnd().Split('\n');
         }
     }
 
