@@ -109,7 +109,7 @@ public sealed class DemoCloudVerb : Verb
         string unpacked = output + "." + Environment.ProcessId + ".las";
         try
         {
-            LasUnpacking.Write(reader, unpacked, run);
+            run.RunSteps(ExportCloud.Run(reader, unpacked, new ExportSettings(), _ => { }, run.Progress));
             return LasTiling.Write(unpacked, output, times, run.Progress, run.Cancellation);
         }
         finally

@@ -43,7 +43,7 @@ namespace FastPoints.Export
             m_root = reader.Manifest.Root;
             m_keyOfBlock = new CopcEntry[reader.BlockCount];
             HasBufferPerNode = true;
-            AddVlr(LasWriter.Vlr(CopcInfo.UserId, CopcInfo.InfoRecord, "COPC info", new byte[CopcInfo.Bytes]), true);
+            AddVlr(LasVlr.ToBytes(CopcInfo.UserId, CopcInfo.InfoRecord, "COPC info", new byte[CopcInfo.Bytes]), true);
             // Point formats from 6 on want the bit, unless GeoTIFF keys are all that is known.
             var crs = reader.Info.Crs;
             if (crs.Wkt != null || crs.GeoKeys == null && crs.Epsg == 0 && crs.VerticalEpsg == 0)

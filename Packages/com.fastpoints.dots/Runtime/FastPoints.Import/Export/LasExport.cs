@@ -291,7 +291,7 @@ namespace FastPoints.Export
                 throw PointCloudException.Wanted(FailureCode.Unsupported, info.Path, -1, "attributes beyond those of LAS",
                     "at most " + ushort.MaxValue / LasExtraBytes.EntryBytes, extra.Count / LasExtraBytes.EntryBytes);
             if (extra.Count > 0)
-                m_extraBytes = LasWriter.Vlr(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord, "Extra bytes", extra.ToArray());
+                m_extraBytes = LasVlr.ToBytes(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord, "Extra bytes", extra.ToArray());
         }
 
         /// <summary>Extra bytes whose description was kept: it says more than names, and of several as one.</summary>
@@ -438,20 +438,20 @@ namespace FastPoints.Export
             bool isExtended = m_header.PointFormat >= LasPointFormat.FirstExtended;
             bool hasWkt = crs.Wkt != null && wkt.Length <= ushort.MaxValue;
             if (hasWkt)
-                m_vlrs.Add(LasWriter.Vlr(LasVlr.ProjectionUser, LasVlr.WktRecord, "OGC WKT", wkt));
+                m_vlrs.Add(LasVlr.ToBytes(LasVlr.ProjectionUser, LasVlr.WktRecord, "OGC WKT", wkt));
             // Of a file that has both, the keys are for readers that know no WKT.
             if (hasWkt && (isExtended || crs.GeoKeys == null))
                 m_header.GlobalEncoding |= LasHeader.WktBit;
             for (int i = 0; crs.GeoKeys != null && i < LasGeoKeys.RecordIds.Length; i++)
                 if (crs.GeoKeys[i].Length > 0)
-                    m_vlrs.Add(LasWriter.Vlr(LasVlr.ProjectionUser, LasGeoKeys.RecordIds[i], "GeoTIFF keys", crs.GeoKeys[i]));
+                    m_vlrs.Add(LasVlr.ToBytes(LasVlr.ProjectionUser, LasGeoKeys.RecordIds[i], "GeoTIFF keys", crs.GeoKeys[i]));
             if (hasWkt || crs.GeoKeys != null)
             {
                 WarnOfKeysAlone(hasWkt ? crs : new CoordinateSystem { GeoKeys = crs.GeoKeys });
             }
             else if (crs.Epsg != 0 || crs.VerticalEpsg != 0)
             {
-                m_vlrs.Add(LasWriter.Vlr(LasVlr.ProjectionUser, LasVlr.GeoKeyDirectoryRecord, "GeoTIFF keys",
+                m_vlrs.Add(LasVlr.ToBytes(LasVlr.ProjectionUser, LasVlr.GeoKeyDirectoryRecord, "GeoTIFF keys",
                     LasGeoKeys.Directory(crs)));
                 WarnOfKeysAlone(crs);
             }

@@ -123,6 +123,19 @@ namespace FastPoints.Las
         public long DataBytes; // Present in the file; fewer than claimed if it was cut.
         public bool IsExtended; // From the end of the file, with a 64-bit length (LAS 1.4).
 
+        public static byte[] ToBytes(string userId, ushort recordId, string description, byte[] payload)
+        {
+            if (payload.Length > ushort.MaxValue)
+                throw new ArgumentException(description + ": wanted at most 65535 bytes, got " + payload.Length);
+            var vlr = new byte[HeaderBytes + payload.Length];
+            LasHeader.PutText(vlr, 2, 16, userId);
+            LasHeader.Put(vlr, 18, 2, recordId);
+            LasHeader.Put(vlr, 20, 2, (ulong)payload.Length);
+            LasHeader.PutText(vlr, 22, 32, description);
+            payload.CopyTo(vlr, HeaderBytes);
+            return vlr;
+        }
+
         public bool Is(string userId, ushort recordId) => RecordId == recordId && UserId == userId;
 
         public string Name => UserId + "/" + NumberText.Of(RecordId);

@@ -228,7 +228,7 @@ namespace FastPoints.Laz
             LasHeader.Put(payload, 16, 8, ulong.MaxValue);
             LasHeader.Put(payload, 24, 8, ulong.MaxValue);
             list.CopyTo(payload, LazFormat.ItemsOffset);
-            return LasWriter.Vlr(LazFormat.UserId, LazFormat.RecordId, "", payload);
+            return LasVlr.ToBytes(LazFormat.UserId, LazFormat.RecordId, "", payload);
         }
 
         // As in the VLR, from their number on.

@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using FastPoints.Las;
 using FastPoints.Reading;
+using FastPoints.Scenes;
 using FastPoints.Sources;
 using FastPoints.Tests.Reading;
 using NUnit.Framework;
@@ -107,17 +108,6 @@ namespace FastPoints.Tests.Las
                 writer.Complete();
             using var reader = PointReaders.Open(FilePath);
             Assert.That(reader.PointCount, Is.Zero);
-        }
-
-        [Test]
-        public void Create_MissingFolderOrInvalidSettings_IsRefused()
-        {
-            Failures.Of(() => LasWriter.Create(Path.Combine(FilePath, "no", "folder.las"), new LasWriterSettings()),
-                FailureCode.NotFound);
-            Assert.That(() => LasWriter.Create(FilePath, new LasWriterSettings { PointFormat = 11 }), Throws.ArgumentException);
-            Assert.That(() => LasWriter.Create(FilePath, new LasWriterSettings { VersionMinor = 6 }), Throws.ArgumentException);
-            Assert.That(() => LasWriter.Create(FilePath, new LasWriterSettings { Scale = new double3(1, 0, 1) }),
-                Throws.ArgumentException);
         }
 
         static PointBatch Batch(LasWriterSettings settings, LasTestFile file, out PointSchema schema)

@@ -15,7 +15,7 @@ namespace FastPoints.Tests.Reading
     /// those of seed 7.</remarks>
     public class FormatMutationTests : FolderTests
     {
-        const int Cases = 40, SampleCases = 8, LongCases = 20000, MaxPoints = 3000;
+        const int Cases = 120, SampleCases = 8, LongCases = 20000, MaxPoints = 3000;
         const int MaxBlocks = 6;
 
         static IEnumerable<FormatFixture> Fixtures() => FormatFixture.All;
@@ -54,7 +54,8 @@ namespace FastPoints.Tests.Reading
                 int choice = random.Next(3);
                 var (path, bytes) = choice == 0 ? sound.First(f => f.Path == main)
                     : choice == 1 ? indexes[random.Next(indexes.Count)] : sound[random.Next(sound.Count)];
-                var damaged = random.Next(3) == 0 ? DamageTelling(bytes, telling[path], random) : Damage.Of(bytes, random);
+                var damaged = random.Next(3) == 0 ? DamageTelling(bytes, telling[path], random)
+                    : Damage.Of(bytes, random, null, fixture.Words);
                 if (fixture.Seal != null && random.Next(2) == 0 && damaged.Length >= 1024)
                 {
                     Array.Resize(ref damaged, damaged.Length / 1024 * 1024);

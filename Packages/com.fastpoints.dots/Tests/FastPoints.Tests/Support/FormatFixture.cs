@@ -23,9 +23,24 @@ namespace FastPoints.Tests
         /// <summary>Done to a damaged file now and then, so that the damage gets past a checksum; or null.</summary>
         public Action<byte[]> Seal { get; private set; }
 
+        public string[] Words { get; private set; } // For damage; null for what stands in most texts.
+
         public bool IsSample => m_sample != null;
 
         public override string ToString() => Format + "_" + Name;
+
+        static readonly string[] s_plyWords =
+        {
+            "0", "-1", "4", "99999999999999999999", "18446744073709551615", "4294967296", "nan", "list", "vertex", "face",
+            "float", "uint64", "char", "ascii", "binary_big_endian", "end_header", "property", "element", "\r", "\n", " ", "",
+        };
+
+        static readonly string[] s_e57Words =
+        {
+            "0", "-1", "1", "64", "255", "9223372036854775807", "-9223372036854775808", "18446744073709551615", "4294967296",
+            "nan", "1e308", "Integer", "ScaledInteger", "Float", "String", "Structure", "single", "fileOffset", "recordCount",
+            "minimum", "<", ">", "/>", "\"", "&", "]]>", "<a>", "cartesianX", "sphericalRange", "vectorChild", "",
+        };
 
         public static IReadOnlyList<FormatFixture> All { get; } = new[]
         {
@@ -38,9 +53,12 @@ namespace FastPoints.Tests
             Own("LAZ", "LayeredV4", () => Laz(10, 4, LazTableLocation.AtOffset)),
             Own("COPC", "TwoLevelsAPage", () => new CopcFileWriter { LevelsPerPage = 2, MaxNodePoints = 30 }
                 .Write(LazRecords.Make(7, 0, 400, 5))),
-            Own("PLY", "Ascii", () => Ply("ascii")),
-            Own("PLY", "LittleEndian", () => Ply("binary_little_endian")),
-            Own("PLY", "BigEndian", () => Ply("binary_big_endian")),
+            Own("PLY", "Ascii", () => Ply("ascii", false), null, s_plyWords),
+            Own("PLY", "AsciiLists", () => Ply("ascii", true), null, s_plyWords),
+            Own("PLY", "LittleEndian", () => Ply("binary_little_endian", false), null, s_plyWords),
+            Own("PLY", "LittleEndianLists", () => Ply("binary_little_endian", true), null, s_plyWords),
+            Own("PLY", "BigEndian", () => Ply("binary_big_endian", false), null, s_plyWords),
+            Own("PLY", "BigEndianLists", () => Ply("binary_big_endian", true), null, s_plyWords),
             Own("PCD", "Ascii", () => PcdTestFile.Make("ascii", 40)),
             Own("PCD", "Binary", () => PcdTestFile.Make("binary", 40)),
             Own("PCD", "Compressed", () => PcdTestFile.Make("binary_compressed", 400)),
@@ -49,7 +67,8 @@ namespace FastPoints.Tests
             Own("XYZ", "Commas", () => Text("x,y,z,i,r,g,b\n", ',')),
             Own("XYZ", "Semicolons", () => Text("# a scan\n", ';')),
             Own("PTS", "Count", () => Text("200\n", ' ')),
-            Own("E57", "TwoScans", E57, E57FileWriter.Seal),
+            Own("E57", "Cartesian", () => E57(false), E57FileWriter.Seal, s_e57Words),
+            Own("E57", "Spherical", () => E57(true), E57FileWriter.Seal, s_e57Words),
             OwnTree("EPT", "Binary", "ept.json", folder => Ept(folder, EptDataType.Binary)),
             OwnTree("EPT", "Laszip", "ept.json", folder => Ept(folder, EptDataType.Laszip)),
             OwnTree("Potree", "V14", "cloud.js", folder => Potree1(folder, "1.4")),
@@ -90,14 +109,15 @@ namespace FastPoints.Tests
             }
         }
 
-        static FormatFixture Own(string format, string name, Func<byte[]> make, Action<byte[]> seal = null) =>
-            new FormatFixture
+        static FormatFixture Own(string format, string name, Func<byte[]> make, Action<byte[]> seal = null,
+            string[] words = null) => new FormatFixture
             {
                 Format = format,
                 Name = name,
                 m_write = folder => File.WriteAllBytes(Path.Combine(folder, "cloud"), make()),
                 m_main = "cloud",
                 Seal = seal,
+                Words = words,
             };
 
         static FormatFixture OwnTree(string format, string name, string main, Action<string> write) =>
@@ -126,18 +146,30 @@ namespace FastPoints.Tests
             TableLocation = table,
         }.Write(LazRecords.Make(pointFormat, 2, 100, pointFormat));
 
-        static byte[] Ply(string format)
+        static byte[] Ply(string format, bool hasLists)
         {
-            using var file = PlyTestFile.WithHeader(format, "element vertex 20", "property float x", "property double y",
-                "property short z", "property uchar red", "property uchar green", "property uchar blue",
-                "element face 1", "property list uchar int i");
-            for (int i = 0; i < 20; i++)
-                if (format == "ascii")
-                    file.Text(i + ".5 " + i + "e-3 " + -i + " 1 2 3\n");
+            var file = PlyTestFile.WithHeader(format, "comment seed", "element face 2", "property list uchar int i",
+                "element vertex 6",
+                "property float x", "property double y", "property short z", "property uchar red",
+                hasLists ? "property list ushort char l" : "property int l", "element edge 1", "property int a");
+            bool isBig = format == "binary_big_endian";
+            if (format == "ascii")
+            {
+                file.Text("2 5 6\n0\n");
+                for (int i = 0; i < 6; i++)
+                    file.Text(i + ".5 " + i + "e-3 " + -i + " 200 " + (hasLists ? "2 1 1\n" : "7\n"));
+                return file.Text("5\n").ToArray();
+            }
+            file.Values(isBig, (byte)2, 5, 6, (byte)0);
+            for (int i = 0; i < 6; i++)
+            {
+                file.Values(isBig, i + 0.5f, i * 1e-3, (short)-i, (byte)200);
+                if (hasLists)
+                    file.Values(isBig, (ushort)2, (sbyte)1, (sbyte)1);
                 else
-                    file.Values(format == "binary_big_endian", i + 0.5f, i * 1e-3, (short)-i, (byte)1, (byte)2, (byte)3);
-            return (format == "ascii" ? file.Text("3 0 1 2\n")
-                : file.Values(format == "binary_big_endian", (byte)3, 0, 1, 2)).ToArray();
+                    file.Values(isBig, 7);
+            }
+            return file.Values(isBig, 5).ToArray();
         }
 
         static byte[] Text(string head, char separator)
@@ -172,20 +204,29 @@ namespace FastPoints.Tests
             Copy(tree.Path, Directory.GetFiles(tree.Path, "*", SearchOption.AllDirectories), folder);
         }
 
-        static byte[] E57()
+        static byte[] E57(bool isSpherical)
         {
-            double[] reals = Enumerable.Range(0, 500).Select(i => i * 0.25).ToArray();
-            long[] longs = Enumerable.Range(0, 500).Select(i => i % 100L).ToArray();
-            var first = new E57TestScan(E57TestField.Scaled("cartesianX", 0, 1000, 0.01, 5, longs),
+            double[] reals = Enumerable.Range(0, 900).Select(i => i * 0.25).ToArray();
+            long[] longs = Enumerable.Range(0, 900).Select(i => (long)i % 100).ToArray();
+            var first = new E57TestScan(
+                E57TestField.Scaled("cartesianX", 0, 1000, 0.01, 5, longs),
                 E57TestField.Scaled("cartesianY", -7, 100, 0.01, 0, longs),
-                E57TestField.Scaled("cartesianZ", 0, 99, 0.01, 0, longs),
-                E57TestField.Integer("intensity", 0, 255, longs))
+                E57TestField.Scaled("cartesianZ", 0, 99, 0.01, 0, longs), E57TestField.Integer("colorRed", 0, 255, longs),
+                E57TestField.Integer("cartesianInvalidState", 0, 2, longs.Select(v => v == 50 ? 2L : 0).ToArray()))
             {
+                Packing = E57Packing.Ragged,
                 RecordsPerPacket = 200,
+                HasIgnored = true,
                 Xml = E57TestScan.Pose(1, 0, 0, 0, 1, 2, 3),
             };
-            var second = new E57TestScan(E57TestField.Single("sphericalRange", reals),
-                E57TestField.Double("sphericalAzimuth", reals), E57TestField.Single("sphericalElevation", reals));
+            string[] names = isSpherical ? new[] { "sphericalRange", "sphericalAzimuth", "sphericalElevation" }
+                : new[] { "cartesianX", "cartesianY", "cartesianZ" };
+            var second = new E57TestScan(E57TestField.Single(names[0], reals), E57TestField.Double(names[1], reals),
+                E57TestField.Single(names[2], reals), E57TestField.Integer("returnIndex", 0, 99, longs))
+            {
+                RecordsPerPacket = 111,
+                Xml = E57TestScan.Pose(0.5, 0.5, 0.5, 0.5, 100, 200, 300),
+            };
             return new E57FileWriter(first, second).ToArray();
         }
     }

@@ -4,6 +4,7 @@ using System.IO;
 using System.Text;
 using FastPoints.Export;
 using FastPoints.Las;
+using FastPoints.Scenes;
 using FastPoints.Sources;
 using Unity.Mathematics;
 

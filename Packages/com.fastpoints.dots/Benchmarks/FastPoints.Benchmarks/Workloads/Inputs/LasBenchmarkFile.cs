@@ -1,6 +1,6 @@
 using System;
 using System.IO;
-using FastPoints.Las;
+using FastPoints.Scenes;
 using Unity.Mathematics;
 
 namespace FastPoints.Benchmarks

@@ -1,7 +1,7 @@
 using System;
 using System.IO;
 using FastPoints.Build;
-using FastPoints.Las;
+using FastPoints.Scenes;
 using FastPoints.Sources;
 using FastPoints.Store;
 using Unity.Mathematics;

@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using FastPoints.Las;
 using FastPoints.Reading;
+using FastPoints.Scenes;
 using FastPoints.Sources;
 using FastPoints.Tests.Reading;
 using NUnit.Framework;

@@ -2,11 +2,12 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
+using FastPoints.Las;
 using FastPoints.Reading;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 
-namespace FastPoints.Las
+namespace FastPoints.Scenes
 {
     // Writes points as they come; counts and bounds go into the header at the end. The file has a temporary name until Complete:
     // if disposed before that, it is deleted, and an existing file of that name is unchanged.
@@ -23,8 +24,6 @@ namespace FastPoints.Las
         readonly int m_bufferPoints;
         readonly ulong[] m_byReturn = new ulong[16];
         FileStream m_stream;
-        bool m_isComplete;
-        bool m_isGivenUp;
         int3 m_min = new int3(int.MaxValue, int.MaxValue, int.MaxValue);
         int3 m_max = new int3(int.MinValue, int.MinValue, int.MinValue);
 
@@ -49,10 +48,8 @@ namespace FastPoints.Las
                 HeaderBytes = LasHeader.BytesOf(settings.VersionMinor),
                 Scale = settings.Scale,
                 Offset = settings.Offset,
-                SystemIdentifier = settings.SystemIdentifier ?? "",
-                GeneratingSoftware = settings.GeneratingSoftware ?? "",
-                CreationDay = (ushort)settings.CreationDay,
-                CreationYear = (ushort)settings.CreationYear,
+                SystemIdentifier = settings.SystemIdentifier,
+                GeneratingSoftware = "FastPoints",
                 GlobalEncoding = settings.Wkt != null && settings.VersionMinor >= 4 ? LasHeader.WktBit : (ushort)0,
             };
             m_bufferPoints = Math.Max(1, BufferBytes / recordBytes);
@@ -65,7 +62,6 @@ namespace FastPoints.Las
 
         public static LasWriter Create(string path, LasWriterSettings settings)
         {
-            Check(settings);
             var writer = new LasWriter(path, settings);
             var vlrs = Vlrs(settings);
             writer.m_header.VlrCount = (uint)vlrs.Count;
@@ -125,7 +121,6 @@ namespace FastPoints.Las
                 m_stream.Dispose();
                 m_stream = null;
                 FileChanges.Retry(() => FileChanges.Replace(m_temporaryPath, m_path));
-                m_isComplete = true;
             }
             catch (Exception e) when (FileFailures.IsFileFailure(e))
             {
@@ -135,10 +130,9 @@ namespace FastPoints.Las
 
         public void Dispose()
         {
-            if (m_isComplete || m_isGivenUp)
+            if (m_stream == null)
                 return;
-            m_isGivenUp = true;
-            m_stream?.Dispose();
+            m_stream.Dispose();
             m_stream = null;
             FileChanges.TryDelete(m_temporaryPath, () => false);
         }
@@ -172,42 +166,18 @@ namespace FastPoints.Las
             m_header.Count += (ulong)count;
         }
 
-        static void Check(LasWriterSettings settings)
-        {
-            if (settings.VersionMinor < 0 || settings.VersionMinor > LasHeader.MaxMinorVersion)
-                throw new ArgumentException("LAS 1." + settings.VersionMinor + " is not known: wanted 1.0 to 1.5");
-            if (settings.PointFormat < 0 || settings.PointFormat >= LasPointFormat.Count)
-                throw new ArgumentException("point format " + settings.PointFormat + " is not known: wanted 0 to 10");
-            for (int axis = 0; axis < 3; axis++)
-                if (!math.isfinite(settings.Scale[axis]) || settings.Scale[axis] == 0 || !math.isfinite(settings.Offset[axis]))
-                    throw new ArgumentException("scale and offset must be finite, and the scale not 0");
-        }
-
         static List<byte[]> Vlrs(LasWriterSettings settings)
         {
             var vlrs = new List<byte[]>();
             if (settings.Wkt != null)
-                vlrs.Add(Vlr(LasVlr.ProjectionUser, LasVlr.WktRecord, "OGC WKT", Encoding.UTF8.GetBytes(settings.Wkt + "\0")));
+                vlrs.Add(LasVlr.ToBytes(LasVlr.ProjectionUser, LasVlr.WktRecord, "OGC WKT", Encoding.UTF8.GetBytes(settings.Wkt + "\0")));
             if (settings.ExtraBytes.Length == 0)
                 return vlrs;
             var entries = new byte[settings.ExtraBytes.Length * LasExtraBytes.EntryBytes];
             for (int i = 0; i < settings.ExtraBytes.Length; i++)
                 LasExtraBytes.Entry(settings.ExtraBytes[i]).CopyTo(entries, i * LasExtraBytes.EntryBytes);
-            vlrs.Add(Vlr(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord, "Extra bytes", entries));
+            vlrs.Add(LasVlr.ToBytes(LasVlr.SpecificationUser, LasVlr.ExtraBytesRecord, "Extra bytes", entries));
             return vlrs;
-        }
-
-        internal static byte[] Vlr(string userId, ushort recordId, string description, byte[] payload)
-        {
-            if (payload.Length > ushort.MaxValue)
-                throw new ArgumentException(description + ": wanted at most 65535 bytes, got " + payload.Length);
-            var vlr = new byte[LasVlr.HeaderBytes + payload.Length];
-            LasHeader.PutText(vlr, 2, 16, userId);
-            LasHeader.Put(vlr, 18, 2, recordId);
-            LasHeader.Put(vlr, 20, 2, (ulong)payload.Length);
-            LasHeader.PutText(vlr, 22, 32, description);
-            payload.CopyTo(vlr, LasVlr.HeaderBytes);
-            return vlr;
         }
     }
 
@@ -223,11 +193,6 @@ namespace FastPoints.Las
         public double3 Offset;
         public string Wkt;
         public string SystemIdentifier = "OTHER";
-        public string GeneratingSoftware = "FastPoints";
-
-        // Day of the year and year; 0 if not stated, so that equal clouds give equal files.
-        public int CreationDay;
-        public int CreationYear;
         public PointAttribute[] ExtraBytes = Array.Empty<PointAttribute>();
     }
 }
