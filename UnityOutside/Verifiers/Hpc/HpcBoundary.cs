@@ -32,7 +32,7 @@ internal static class HpcBoundary
     };
 
     // Of Entities' structs those that jobs are made for; EntityManager and queries are the main thread's.
-    private static readonly string[] s_entityTypes = { "Unity.Entities.Entity" };
+    private static readonly string[] s_entityTypes = { "Unity.Entities.Entity", "Unity.Physics.MeshCollider" };
 
     /// <summary>Whether a literal may be given to that method: Burst makes its bytes a constant.</summary>
     internal static bool TakesLiterals(MethodReference method)
