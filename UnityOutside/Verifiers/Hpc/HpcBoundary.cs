@@ -32,7 +32,7 @@ internal static class HpcBoundary
     };
 
     // Of Entities' structs those that jobs are made for; EntityManager and queries are the main thread's.
-    private static readonly string[] s_entityTypes = { "Unity.Entities.Entity", "Unity.Physics.MeshCollider" };
+    private static readonly string[] s_entityTypes = { "Unity.Entities.Entity" };
 
     /// <summary>Whether a literal may be given to that method: Burst makes its bytes a constant.</summary>
     internal static bool TakesLiterals(MethodReference method)
@@ -53,7 +53,7 @@ internal static class HpcBoundary
         TypeReference outer = type;
         while (outer.DeclaringType != null)
             outer = outer.DeclaringType;
-        bool isOpen = s_unityNamespaces.Any(n => outer.Namespace == n
+        bool isOpen = name == "Unity.Physics.MeshCollider.Create" || s_unityNamespaces.Any(n => outer.Namespace == n
             || outer.Namespace.StartsWith(n + ".", StringComparison.Ordinal));
         bool isValue = type.IsValueType && (outer.Namespace == "UnityEngine" || s_entityTypes.Contains(outer.FullName));
         if (!isOpen && !isValue)
