@@ -16,7 +16,8 @@ public static class AssemblyReferences
         ["FastPoints"] = s_dots,
         ["FastPoints.Import"] = s_view,
         ["FastPoints.Picture"] = s_shared,
-        ["FastPoints.Surface"] = s_view.Concat(new[] { "FastPoints.Entities", "Unity.Entities", "Unity.Transforms" }).ToArray(),
+        ["FastPoints.Surface"] = s_view
+            .Concat(new[] { "FastPoints.Entities", "Unity.Entities", "Unity.Physics", "Unity.Transforms" }).ToArray(),
         ["FastPoints.Rendering"] = s_view,
         ["FastPoints.Rendering.BuiltIn"] = s_drawing,
         ["FastPoints.Rendering.Urp"] = s_drawing

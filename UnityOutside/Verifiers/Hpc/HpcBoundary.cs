@@ -53,7 +53,7 @@ internal static class HpcBoundary
         TypeReference outer = type;
         while (outer.DeclaringType != null)
             outer = outer.DeclaringType;
-        bool isOpen = s_unityNamespaces.Any(n => outer.Namespace == n
+        bool isOpen = name == "Unity.Physics.MeshCollider.Create" || s_unityNamespaces.Any(n => outer.Namespace == n
             || outer.Namespace.StartsWith(n + ".", StringComparison.Ordinal));
         bool isValue = type.IsValueType && (outer.Namespace == "UnityEngine" || s_entityTypes.Contains(outer.FullName));
         if (!isOpen && !isValue)
