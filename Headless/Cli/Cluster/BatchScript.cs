@@ -5,27 +5,9 @@ static class BatchScript
 {
     const int MaxDependencies = 20; // A job waits for no more jobs.
 
-    public static string Of(ClusterJob job, ClusterSettings settings) => $$"""
-        #!/usr/bin/env bash
-        # {{job.Name}}: {{job.Contents}}. With AWS' command line: bash THIS_FILE
-        # Submitted once more, it does what is missing: a task that is done ends at once.
-        set -eu
-        queue={{SlurmScript.Quoted(settings.Queue!)}}
-        definition=$(aws batch register-job-definition --query jobDefinitionArn --output text \
-          --cli-input-json '{{Definition(job, settings)}}')
-
-        after='[]' jobs=
-        submit() { # name, tasks, what a task does as JSON
-          local id size=()
-          if [ "$2" -gt 1 ]; then size=(--array-properties "size=$2"); fi
-          id=$(aws batch submit-job --job-name "$1" --job-queue "$queue" --job-definition "$definition" ${size[@]+"${size[@]}"} \
-            --depends-on "$after" --container-overrides "{\"command\": $3}" --query jobId --output text)
-          jobs+=${jobs:+, }"{\"jobId\": \"$id\"}"
-          echo "$1: job $id"
-        }
-        behind() { after="[$jobs]" jobs=; }
-        {{Submissions(job, settings)}}
-        """;
+    public static string Of(ClusterJob job, ClusterSettings settings) => EmbeddedText.Of("batch.sh",
+        ("name", job.Name), ("contents", job.Contents), ("queue", SlurmScript.Quoted(settings.Queue!)),
+        ("definition", Definition(job, settings))) + Submissions(job, settings);
 
     static string Definition(ClusterJob job, ClusterSettings settings)
     {
@@ -36,27 +18,9 @@ static class BatchScript
             volumes += ",\n      {\"name\": \"data\", \"efsVolumeConfiguration\": {\"fileSystemId\": " + Json(name) + "}}";
             mounts += ",\n      " + Mount("data", path);
         }
-        return $$"""
-            {
-              "jobDefinitionName": "fastpoints-{{job.Name}}",
-              "type": "container",
-              "retryStrategy": {"attempts": {{settings.Attempts}}, "evaluateOnExit": [
-                {"onExitCode": "2", "action": "EXIT"},
-                {"onExitCode": "3", "action": "EXIT"},
-                {"onReason": "*", "action": "RETRY"}]},
-              "containerProperties": {
-                "image": {{Json(settings.Image!)}},
-                "command": ["true"],
-                "resourceRequirements": [
-                  {"type": "VCPU", "value": "{{settings.Cores}}"},
-                  {"type": "MEMORY", "value": "{{job.NodeMebibytes}}"}],
-                "volumes": [
-                  {{volumes}}],
-                "mountPoints": [
-                  {{mounts}}]
-              }
-            }
-            """.Replace("'", "'\\''", StringComparison.Ordinal);
+        return EmbeddedText.Of("batch.json", ("name", job.Name), ("attempts", settings.Attempts),
+            ("image", Json(settings.Image!)), ("cores", settings.Cores), ("mebibytes", job.NodeMebibytes), ("volumes", volumes),
+            ("mounts", mounts)).TrimEnd('\n').Replace("'", "'\\''", StringComparison.Ordinal);
     }
 
     static string Mount(string volume, string path) =>

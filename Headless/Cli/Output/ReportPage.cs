@@ -12,17 +12,11 @@ public sealed class ReportPage(string title, string? lead = null)
     /// <summary>Long names of one word break behind their underscores and slashes, not within parts.</summary>
     static string Breakable(string text) => Escape(text).Replace("_", "_<wbr>").Replace("/", "/<wbr>");
 
-    static string Resource(string name)
-    {
-        using var reader = new StreamReader(typeof(ReportPage).Assembly.GetManifestResourceStream(name)!);
-        return reader.ReadToEnd();
-    }
-
     public void Html(string html) => m_body.Append(html).Append('\n');
 
     public void View(string json, byte[] png, string alt, string time, string note, string unit)
     {
-        string[] parts = Resource("view.html").Replace("{alt}", Escape(alt)).Replace("{time}", Escape(time))
+        string[] parts = EmbeddedText.Of("view.html").Replace("{alt}", Escape(alt)).Replace("{time}", Escape(time))
             .Replace("{note}", note).Replace("{unit}", Escape(unit))
             .Replace("{png}", System.Convert.ToBase64String(png)).Split("{data}");
         m_body.Append(parts[0]).Append(json).Append(parts[1]);
@@ -98,7 +92,7 @@ public sealed class ReportPage(string title, string? lead = null)
             writer.Write(Head());
             foreach (var chunk in m_body.GetChunks())
                 writer.Write(chunk.Span);
-            writer.Write("</main>\n" + string.Concat(m_scripts.Select(name => $"<script>\n{Resource(name)}</script>\n"))
+            writer.Write("</main>\n" + string.Concat(m_scripts.Select(name => $"<script>\n{EmbeddedText.Of(name)}</script>\n"))
                 + "</body>\n</html>\n");
         }
         return page.ToArray();
@@ -107,6 +101,6 @@ public sealed class ReportPage(string title, string? lead = null)
     string Head() => "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         + $"<meta http-equiv=\"Content-Security-Policy\" content=\"{Policy}\">\n"
         + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<link rel=\"icon\" href=\"data:,\">\n"
-        + $"<title>{Escape(title)}</title>\n<style>\n{Resource("page.css")}</style>\n</head>\n<body>\n<main>\n"
+        + $"<title>{Escape(title)}</title>\n<style>\n{EmbeddedText.Of("page.css")}</style>\n</head>\n<body>\n<main>\n"
         + $"<h1>{Escape(title)}</h1>\n" + (lead == null ? "" : $"<p class=\"lead\">{Escape(lead)}</p>\n");
 }

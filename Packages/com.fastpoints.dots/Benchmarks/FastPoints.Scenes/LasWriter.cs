@@ -170,7 +170,8 @@ namespace FastPoints.Scenes
         {
             var vlrs = new List<byte[]>();
             if (settings.Wkt != null)
-                vlrs.Add(LasVlr.ToBytes(LasVlr.ProjectionUser, LasVlr.WktRecord, "OGC WKT", Encoding.UTF8.GetBytes(settings.Wkt + "\0")));
+                vlrs.Add(LasVlr.ToBytes(LasVlr.ProjectionUser, LasVlr.WktRecord, "OGC WKT",
+                    Encoding.UTF8.GetBytes(settings.Wkt + "\0")));
             if (settings.ExtraBytes.Length == 0)
                 return vlrs;
             var entries = new byte[settings.ExtraBytes.Length * LasExtraBytes.EntryBytes];
