@@ -53,8 +53,9 @@ namespace FastPoints.Surface
         public PackedSurface Read(int3 cell)
         {
             var key = KeyOf(cell);
-            var surface = new PackedSurface { Ints = new NativeArray<int>(m_files.LengthOf(key) / sizeof(int),
-                Allocator.Persistent, NativeArrayOptions.UninitializedMemory) };
+            var surface = default(PackedSurface);
+            surface.Ints = new NativeArray<int>(m_files.LengthOf(key) / sizeof(int), Allocator.Persistent,
+                NativeArrayOptions.UninitializedMemory);
             if (!m_files.TryRead(key, 0, MemoryMarshal.AsBytes(surface.Ints.AsSpan())) || !surface.IsWhole)
                 surface.Dispose();
             return surface;
