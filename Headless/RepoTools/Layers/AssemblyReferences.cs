@@ -31,7 +31,7 @@ public static class AssemblyReferences
             .ToArray(),
         ["FastPoints.Tests"] = s_shared.Concat(s_entities)
             .Concat(new[] { "FastPoints.Picture", "FastPoints.Rendering", "FastPoints.Entities" })
-            .Concat(new[] { "FastPoints.Benchmarks", "FastPoints.Evaluation", "FastPoints.Surface" })
+            .Concat(new[] { "FastPoints.Benchmarks", "FastPoints.Evaluation", "FastPoints.Scenes", "FastPoints.Surface" })
             .Concat(s_testRunner).ToArray(),
         ["FastPoints.Scenes"] = s_shared,
         ["FastPoints.Samples"] = s_shared.Concat(s_entities)
