@@ -18,9 +18,9 @@ public sealed class SerializationTests
     [TestCaseSource(nameof(Kept))]
     public void Script_OfAClass_IsInAFileOfItsName(Type type)
     {
-        string package = Checkout.Repository.PackageRoot;
-        var files = Directory.GetFiles(package, type.Name + ".cs", SearchOption.AllDirectories);
-        Assert.That(files.Select(File.ReadAllText), Has.Some.Matches("class " + type.Name + @"\b"));
+        string name = type.Name.Split('`')[0];
+        var files = Directory.GetFiles(Checkout.Repository.PackageRoot, name + ".cs", SearchOption.AllDirectories);
+        Assert.That(files.Select(File.ReadAllText), Has.Some.Matches("class " + name + @"\b"));
     }
 
     [TestCase(typeof(int[]), true)]
