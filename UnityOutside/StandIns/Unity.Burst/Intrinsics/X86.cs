@@ -48,6 +48,16 @@ namespace Unity.Burst.Intrinsics
             [MethodImpl(Inline)]
             public static v256 mm256_mul_ps(v256 a, v256 b) =>
                 new v256(Net.Multiply(a.Bits.AsSingle(), b.Bits.AsSingle()).AsUInt32());
+            [MethodImpl(Inline)]
+            public static v256 mm256_max_ps(v256 a, v256 b) =>
+                new v256(Net.Max(a.Bits.AsSingle(), b.Bits.AsSingle()).AsUInt32());
+            [MethodImpl(Inline)]
+            public static v256 mm256_min_ps(v256 a, v256 b) =>
+                new v256(Net.Min(a.Bits.AsSingle(), b.Bits.AsSingle()).AsUInt32());
+            [MethodImpl(Inline)]
+            public static v256 mm256_cvtepi32_ps(v256 a) =>
+                new v256(Net.ConvertToVector256Single(a.Bits.AsInt32()).AsUInt32());
+            [MethodImpl(Inline)] public static int mm256_movemask_ps(v256 a) => Net.MoveMask(a.Bits.AsSingle());
 #else
             public static v256 mm256_loadu_si256(void* ptr) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_set1_epi32(int a) => throw new System.PlatformNotSupportedException();
@@ -59,6 +69,10 @@ namespace Unity.Burst.Intrinsics
             public static v256 mm256_sub_ps(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_and_ps(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_mul_ps(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+            public static v256 mm256_max_ps(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+            public static v256 mm256_min_ps(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
+            public static v256 mm256_cvtepi32_ps(v256 a) => throw new System.PlatformNotSupportedException();
+            public static int mm256_movemask_ps(v256 a) => throw new System.PlatformNotSupportedException();
 #endif
         }
 

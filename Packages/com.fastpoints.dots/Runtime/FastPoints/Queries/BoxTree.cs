@@ -7,60 +7,69 @@ namespace FastPoints.Queries
     // the one around all. Positions are in CRS units from the tree's corner, which is itself so from the root's.
     internal unsafe struct BoxTree
     {
-        public const int FanOut = 8;
+        public const int FanOut = EightBoxes.Count;
         const int FanOutLog2 = 3;
 
         // That many boxes are pending at most, since a level leaves all of a parent's but one.
         public const int MaxPending = (FanOut - 1) * (32 / FanOutLog2 + 1) + 1;
 
-        [NativeDisableUnsafePtrRestriction] public LocalBox* Boxes; // The leaves, then level by level.
+        [NativeDisableUnsafePtrRestriction] public EightBoxes* Eights; // The leaves, then level by level.
         public int LeafCount;
         public double3 Corner;
 
         // At all levels.
-        public static int CountOf(int leaves)
+        public static int EightsOf(int leaves)
         {
-            int count = leaves;
-            for (; leaves > 1; count += leaves)
-                leaves = Above(leaves);
-            return count;
+            int eights = Above(leaves);
+            for (int count = leaves; count > 1; eights += Above(count))
+                count = Above(count);
+            return eights;
         }
 
-        public readonly LocalBox All => Boxes[CountOf(LeafCount) - 1]; // The box around all leaves, of which there are some.
+        // The box around all leaves, of which there are some.
+        public readonly void GetAll(out double3 middle, out double3 half) =>
+            Eights[EightsOf(LeafCount) - 1].Get(0, out middle, out half);
 
+        // Of what is below the box around all.
         public readonly int TopLevel
         {
             get
             {
                 int level = 0;
-                for (int count = LeafCount; count > 1; count = Above(count))
+                for (int count = LeafCount; count > FanOut; count = Above(count))
                     level++;
                 return level;
             }
         }
 
-        public readonly LocalBox* LevelOf(int level, out int count)
+        public readonly EightBoxes* LevelOf(int level, out int boxes)
         {
-            var boxes = Boxes;
-            count = LeafCount;
+            var eights = Eights;
+            boxes = LeafCount;
             for (; level > 0; level--)
             {
-                boxes += count;
-                count = Above(count);
+                boxes = Above(boxes);
+                eights += boxes;
             }
-            return boxes;
+            return eights;
         }
 
         public readonly void Build()
         {
-            var below = Boxes;
+            var below = Eights;
             for (int count = LeafCount; count > 1; count = Above(count))
             {
-                var above = below + count;
-                for (int i = 0; i < count; i++)
+                var above = below + Above(count);
+                for (int first = 0; first < count; first += FanOut)
                 {
-                    var parent = above + (i >> FanOutLog2);
-                    *parent = (i & (FanOut - 1)) == 0 ? below[i] : LocalBox.Union(*parent, below[i]);
+                    double3 min = double.PositiveInfinity, max = double.NegativeInfinity;
+                    for (int i = 0; i < math.min(FanOut, count - first); i++)
+                    {
+                        below[first >> FanOutLog2].Get(i, out var middle, out var half);
+                        min = math.min(min, middle - half);
+                        max = math.max(max, middle + half);
+                    }
+                    above[first >> 2 * FanOutLog2].Set(first >> FanOutLog2 & (FanOut - 1), min, max);
                 }
                 below = above;
             }
@@ -69,27 +78,33 @@ namespace FastPoints.Queries
         static int Above(int count) => (count + FanOut - 1) >> FanOutLog2;
     }
 
-    internal struct LocalBox
+    // Coordinate by coordinate, as processors compute with eight at once: those of x, then of y, then of z.
+    internal unsafe struct EightBoxes
     {
+        public const int Count = 8;
         const double Rounding = 1.2e-7; // Larger than what a float rounds away.
 
-        public float3 Min;
-        public float3 Max;
+        public fixed float Middle[3 * Count];
+        public fixed float Half[3 * Count];
 
-        public LocalBox(double3 min, double3 max) : this()
+        public void Set(int box, double3 min, double3 max)
         {
             for (int axis = 0; axis < 3; axis++)
-                SetAxis(axis, min[axis], max[axis]);
+                Set(box, axis, min[axis], max[axis]);
         }
 
         // Rounded outwards.
-        public void SetAxis(int axis, double min, double max)
+        public void Set(int box, int axis, double min, double max)
         {
-            Min[axis] = (float)(min - math.abs(min) * Rounding);
-            Max[axis] = (float)(max + math.abs(max) * Rounding);
+            float middle = (float)((min + max) * 0.5);
+            Middle[axis * Count + box] = middle;
+            Half[axis * Count + box] = (float)(math.max(max - middle, middle - min) * (1 + Rounding));
         }
 
-        public static LocalBox Union(in LocalBox a, in LocalBox b) =>
-            new LocalBox { Min = math.min(a.Min, b.Min), Max = math.max(a.Max, b.Max) };
+        public void Get(int box, out double3 middle, out double3 half)
+        {
+            middle = new double3(Middle[box], Middle[Count + box], Middle[2 * Count + box]);
+            half = new double3(Half[box], Half[Count + box], Half[2 * Count + box]);
+        }
     }
 }

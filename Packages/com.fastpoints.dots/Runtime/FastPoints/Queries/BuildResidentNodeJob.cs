@@ -28,16 +28,15 @@ namespace FastPoints.Queries
                 {
                     Positions.UnpackWide(block, axis, values);
                     for (int run = 0; run < ResidentNode.RunsPerBlock; run++)
-                        SetAxis(ref Tree.Boxes[block * ResidentNode.RunsPerBlock + run], axis, values,
-                            run * ResidentNode.PointsPerRun, Positions.PointsOf(block));
+                        SetAxis(ref Tree.Eights[block], run, axis, values, Positions.PointsOf(block));
                 }
             Tree.Build();
         }
 
         // A run without points lies at the block's end.
-        void SetAxis(ref LocalBox box, int axis, ulong* values, int first, int points)
+        void SetAxis(ref EightBoxes boxes, int run, int axis, ulong* values, int points)
         {
-            int end = math.min(first + ResidentNode.PointsPerRun, points);
+            int first = run * ResidentNode.PointsPerRun, end = math.min(first + ResidentNode.PointsPerRun, points);
             first = math.min(first, points - 1);
             ulong min = values[first], max = min;
             for (int i = first + 1; i < end; i++)
@@ -45,7 +44,7 @@ namespace FastPoints.Queries
                 min = math.min(min, values[i]);
                 max = math.max(max, values[i]);
             }
-            box.SetAxis(axis, min * Step[axis], max * Step[axis]);
+            boxes.Set(run, axis, min * Step[axis], max * Step[axis]);
         }
     }
 }

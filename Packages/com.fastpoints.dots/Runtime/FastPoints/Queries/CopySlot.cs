@@ -236,10 +236,10 @@ namespace FastPoints.Queries
 
         // Planes begin at multiples of 16 bytes.
         public static long BytesOfTree(int blocks) =>
-            (BoxTree.CountOf(blocks * ResidentNode.RunsPerBlock) * (long)sizeof(LocalBox) + 15) & ~15L;
+            BoxTree.EightsOf(blocks * ResidentNode.RunsPerBlock) * (long)sizeof(EightBoxes);
 
         public readonly BoxTree Tree =>
-            new BoxTree { Boxes = (LocalBox*)Memory, LeafCount = BlockCount * ResidentNode.RunsPerBlock };
+            new BoxTree { Eights = (EightBoxes*)Memory, LeafCount = BlockCount * ResidentNode.RunsPerBlock };
 
         public void SetPlane(int plane, long offset)
         {

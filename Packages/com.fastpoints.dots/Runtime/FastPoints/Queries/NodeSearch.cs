@@ -8,7 +8,8 @@ namespace FastPoints.Queries
     // Finds the points of one node's blocks that a query asks for: the same arithmetic for what is in memory and what was read.
     internal unsafe struct NodeSearch
     {
-        public const int ScratchCount = 3 * PlaneShape.MaxPointsPerBlock; // Values that Search needs room for.
+        public const int ScratchCount = 3 * PlaneShape.MaxPointsPerBlock; // Values that Search needs room for with a whole block.
+        const int MaxNarrowWidth = 31; // Of offsets that are int, too.
 
         public QuerySpace Space;
         public BlockFilter Filter; // Undefined without one.
@@ -29,16 +30,13 @@ namespace FastPoints.Queries
         // The box that the columns' minima and widths allow: its centre in CRS units from the root's corner.
         public readonly double3 BoxOf(int block, out double3 half)
         {
-            var widths = new double3(Positions.WidthOf(block, 0), Positions.WidthOf(block, 1), Positions.WidthOf(block, 2));
-            half = (math.exp2(widths) - 1) * 0.5 * Step;
+            half = (math.exp2((double3)WidthsOf(block)) - 1) * 0.5 * Step;
             return ToDouble(CornerOf(block, out _)) * Step + half;
         }
 
         public void Search(int block, int first, int count, ulong* scratch, ref HitHeap hits)
         {
-            const int stride = PlaneShape.MaxPointsPerBlock;
-            for (int axis = 0; axis < 3; axis++)
-                Positions.UnpackWide(block, axis, first, count, scratch + axis * stride);
+            int stride = (count + EightBoxes.Count - 1) & -EightBoxes.Count;
             // The corner's position is computed in full, and offsets from it in the cloud's own units: nothing is lost far from
             // the origin.
             var corner = CornerOf(block, out var min);
@@ -49,13 +47,33 @@ namespace FastPoints.Queries
                 var extent = new float3(ExtentOf(block, 0), ExtentOf(block, 1), ExtentOf(block, 2));
                 Filter.Begin(at.FromOrigin, extent, hits.Limit);
             }
-            for (int i = 0; i < count; i++)
+            if (math.cmax(WidthsOf(block)) > MaxNarrowWidth)
             {
-                var steps = new Grid3((long)scratch[i], (long)scratch[stride + i], (long)scratch[2 * stride + i]) - min;
-                if (!Filter.IsUsed || Filter.MayHold(steps.X, steps.Y, steps.Z))
-                    Test(at, steps, first + i, ref hits);
+                for (int axis = 0; axis < 3; axis++)
+                    Positions.UnpackWide(block, axis, first, count, scratch + axis * stride);
+                for (int i = 0; i < count; i++)
+                    Test(at, new Grid3((long)scratch[i], (long)scratch[stride + i], (long)scratch[2 * stride + i]) - min, first + i,
+                        ref hits);
+                return;
+            }
+            uint* x = (uint*)scratch, y = x + stride, z = y + stride;
+            for (int axis = 0; axis < 3; axis++)
+                Positions.UnpackOffsets(block, axis, first, count, x + axis * stride);
+            for (int i = 0; i < count; i += EightBoxes.Count)
+            {
+                uint held = 0xFFu >> math.max(0, i + EightBoxes.Count - count);
+                if (Filter.IsUsed)
+                    held &= (uint)Filter.MayHold(x + i, y + i, z + i);
+                for (; held != 0; held &= held - 1)
+                {
+                    int n = i + math.tzcnt(held);
+                    Test(at, new Grid3(x[n], y[n], z[n]), first + n, ref hits);
+                }
             }
         }
+
+        readonly int3 WidthsOf(int block) =>
+            new int3(Positions.WidthOf(block, 0), Positions.WidthOf(block, 1), Positions.WidthOf(block, 2));
 
         readonly void Test(in BlockCorner at, Grid3 steps, int index, ref HitHeap hits)
         {

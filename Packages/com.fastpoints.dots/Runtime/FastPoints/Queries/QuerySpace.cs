@@ -54,18 +54,18 @@ namespace FastPoints.Queries
             m_halfBox = 0.5 + Reach(m_toBox, Rounding * (math.abs(query.OriginWorld) + math.abs(m_fromOrigin)));
         }
 
-        public bool IsRay => m_query.Shape == QueryShape.Ray;
+        public readonly bool IsRay => m_query.Shape == QueryShape.Ray;
 
-        public RayBoxes BoxesOf(in BoxTree tree) => new RayBoxes(m_query, m_local, tree.Corner, tree.All);
+        public readonly RayBoxes BoxesOf(in BoxTree tree) => new RayBoxes(m_query, m_local, tree);
 
         // From CRS units from the corner of the root cube to the world, relative to the query's origin.
-        public double3 FromOrigin(double3 local) => math.mul(m_linear, local) + m_fromOrigin;
+        public readonly double3 FromOrigin(double3 local) => math.mul(m_linear, local) + m_fromOrigin;
 
         // The same for a difference of places.
-        public double3 ToWorldVector(double3 local) => math.mul(m_linear, local);
+        public readonly double3 ToWorldVector(double3 local) => math.mul(m_linear, local);
 
         // The position is in the space of FromOrigin. Distance is along the ray, or from the centre.
-        public bool Holds(double3 fromOrigin, out double distance, out double rayDistanceSq)
+        public readonly bool Holds(double3 fromOrigin, out double distance, out double rayDistanceSq)
         {
             rayDistanceSq = 0;
             if (m_query.Shape != QueryShape.Ray)
@@ -82,7 +82,7 @@ namespace FastPoints.Queries
         }
 
         // It may be true for a box without hits; no hit in it is nearer than distance. CRS units from the root's corner.
-        public bool Intersects(double3 center, double3 half, out double distance)
+        public readonly bool Intersects(double3 center, double3 half, out double distance)
         {
             if (m_query.Shape == QueryShape.Ray)
                 return IntersectsRay(center, half, out distance);
@@ -95,7 +95,7 @@ namespace FastPoints.Queries
             return math.all(at - reach <= m_halfBox);
         }
 
-        bool IntersectsRay(double3 center, double3 half, out double distance)
+        readonly bool IntersectsRay(double3 center, double3 half, out double distance)
         {
             double along = math.dot(center, m_local.AlongAxes) + m_local.AlongCorner;
             double extent = math.dot(math.abs(m_local.AlongAxes), half + Slack * math.abs(center)) + m_alongSlack;
@@ -113,7 +113,7 @@ namespace FastPoints.Queries
         }
 
         // At most that of the box's nearest position.
-        double DistanceTo(double3 center, double3 half)
+        readonly double DistanceTo(double3 center, double3 half)
         {
             var slack = Slack * (math.abs(center) + math.abs(m_local.Origin));
             var outside = math.max(0, math.abs(center - m_local.Origin) - half - slack);

@@ -1,16 +1,16 @@
-using System.Runtime.CompilerServices;
+using Unity.Burst.Intrinsics;
 using Unity.Mathematics;
 
 namespace FastPoints.Queries
 {
     // Which boxes of one tree a ray's points may lie in: QuerySpace.Intersects in floats, from where the ray passes the tree, and
     // with room for what these round away.
-    internal readonly struct RayBoxes
+    internal readonly unsafe struct RayBoxes
     {
         const double Rounding = 4e-6; // Floats that are summed here lose less than this share of the largest.
         const double LargestInverse = 1e25; // In place of infinity, so that nothing becomes no number.
 
-        readonly double m_base; // Distance from which the others count.
+        public readonly double Base; // Distance from which the others count.
         readonly float3 m_origin; // From the tree's corner, in CRS units.
         readonly float3 m_inverse;
         readonly float3 m_absInverse;
@@ -24,58 +24,94 @@ namespace FastPoints.Queries
         readonly float m_near;
         readonly float m_far;
 
-        public RayBoxes(in PointQuery ray, in RayLocal local, double3 corner, in LocalBox all)
+        public RayBoxes(in PointQuery ray, in RayLocal local, in BoxTree tree)
         {
-            double3 min = all.Min, max = all.Max, center = (min + max) * 0.5 + corner;
-            m_base = math.dot(center, local.AlongAxes) + local.AlongCorner;
-            var origin = local.Origin + local.Direction * m_base - corner;
-            var largest = math.max(math.abs(min), math.abs(max)) + math.abs(origin);
+            tree.GetAll(out var middle, out var half);
+            var center = middle + tree.Corner;
+            Base = math.dot(center, local.AlongAxes) + local.AlongCorner;
+            var origin = local.Origin + local.Direction * Base - tree.Corner;
+            var largest = math.abs(middle) + half + math.abs(origin);
             m_origin = (float3)origin;
             m_inverse = (float3)math.clamp(1 / local.Direction, -LargestInverse, LargestInverse);
             m_absInverse = math.abs(m_inverse);
             m_alongAxes = (float3)local.AlongAxes;
             m_absAlong = math.abs(m_alongAxes);
             m_reach = (float3)local.Reach;
-            double radius = ray.RadiusAt(m_base);
+            double radius = ray.RadiusAt(Base);
             double3 slack = Rounding * (largest + math.abs(radius) * local.Reach);
             m_slack = (float3)slack;
             m_alongSlack = (float)math.dot(math.abs(local.AlongAxes), slack);
             m_radius = (float)radius;
             m_radiusPerUnit = (float)ray.RadiusPerUnit;
-            m_near = (float)(ray.From - m_base) - m_alongSlack;
-            m_far = (float)(ray.To - m_base) + m_alongSlack;
+            m_near = (float)(ray.From - Base) - m_alongSlack;
+            m_far = (float)(ray.To - Base) + m_alongSlack;
         }
 
-        // Axis by axis, which compilers without vectors of three make faster code of.
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public bool Intersects(in LocalBox box, out double distance)
+        // One bit for each box that may hold a hit, none of which is nearer than the box's start, which counts from Base.
+        public static int Intersect(RayBoxes* ray, EightBoxes* boxes, float* starts)
         {
-            float halfX = (box.Max.x - box.Min.x) * 0.5f + m_slack.x, x = (box.Max.x + box.Min.x) * 0.5f - m_origin.x;
-            float halfY = (box.Max.y - box.Min.y) * 0.5f + m_slack.y, y = (box.Max.y + box.Min.y) * 0.5f - m_origin.y;
-            float halfZ = (box.Max.z - box.Min.z) * 0.5f + m_slack.z, z = (box.Max.z + box.Min.z) * 0.5f - m_origin.z;
-            // The ray's origin here is at distance 0, and a step of its direction is one.
-            float along = x * m_alongAxes.x + y * m_alongAxes.y + z * m_alongAxes.z;
-            float extent = halfX * m_absAlong.x + halfY * m_absAlong.y + halfZ * m_absAlong.z + m_alongSlack;
-            float start = along - extent, end = along + extent;
-            start = start > m_near ? start : m_near;
-            end = end < m_far ? end : m_far;
-            distance = m_base + start;
-            if (!(start <= end))
-                return false;
-            float radius = m_radius + m_radiusPerUnit * (m_radiusPerUnit > 0 ? end : start);
-            radius = radius > 0 ? radius : 0;
-            return Clip(x * m_inverse.x, (halfX + radius * m_reach.x) * m_absInverse.x, ref start, ref end) &&
-                Clip(y * m_inverse.y, (halfY + radius * m_reach.y) * m_absInverse.y, ref start, ref end) &&
-                Clip(z * m_inverse.z, (halfZ + radius * m_reach.z) * m_absInverse.z, ref start, ref end);
+            if (!X86.Avx2.IsAvx2Supported)
+                return IntersectPlain(ray, boxes, starts);
+            v256 along = X86.Avx.mm256_set1_ps(0), extent = X86.Avx.mm256_set1_ps(ray->m_alongSlack);
+            for (int axis = 0; axis < 3; axis++)
+            {
+                var middle = X86.Avx.mm256_sub_ps(X86.Avx.mm256_loadu_ps(boxes->Middle + axis * EightBoxes.Count),
+                    X86.Avx.mm256_set1_ps(((float*)&ray->m_origin)[axis]));
+                var half = X86.Avx.mm256_add_ps(X86.Avx.mm256_loadu_ps(boxes->Half + axis * EightBoxes.Count),
+                    X86.Avx.mm256_set1_ps(((float*)&ray->m_slack)[axis]));
+                along = X86.Avx.mm256_add_ps(along,
+                    X86.Avx.mm256_mul_ps(middle, X86.Avx.mm256_set1_ps(((float*)&ray->m_alongAxes)[axis])));
+                extent = X86.Avx.mm256_add_ps(extent,
+                    X86.Avx.mm256_mul_ps(half, X86.Avx.mm256_set1_ps(((float*)&ray->m_absAlong)[axis])));
+            }
+            var start = X86.Avx.mm256_max_ps(X86.Avx.mm256_sub_ps(along, extent), X86.Avx.mm256_set1_ps(ray->m_near));
+            var end = X86.Avx.mm256_min_ps(X86.Avx.mm256_add_ps(along, extent), X86.Avx.mm256_set1_ps(ray->m_far));
+            var radius = X86.Avx.mm256_max_ps(X86.Avx.mm256_set1_ps(0), X86.Avx.mm256_add_ps(
+                X86.Avx.mm256_set1_ps(ray->m_radius),
+                X86.Avx.mm256_mul_ps(X86.Avx.mm256_set1_ps(ray->m_radiusPerUnit), ray->m_radiusPerUnit > 0 ? end : start)));
+            for (int axis = 0; axis < 3; axis++)
+            {
+                var middle = X86.Avx.mm256_sub_ps(X86.Avx.mm256_loadu_ps(boxes->Middle + axis * EightBoxes.Count),
+                    X86.Avx.mm256_set1_ps(((float*)&ray->m_origin)[axis]));
+                var half = X86.Avx.mm256_add_ps(X86.Avx.mm256_loadu_ps(boxes->Half + axis * EightBoxes.Count),
+                    X86.Avx.mm256_set1_ps(((float*)&ray->m_slack)[axis]));
+                var inverse = X86.Avx.mm256_set1_ps(((float*)&ray->m_inverse)[axis]);
+                var reach = X86.Avx.mm256_mul_ps(
+                    X86.Avx.mm256_add_ps(half,
+                        X86.Avx.mm256_mul_ps(radius, X86.Avx.mm256_set1_ps(((float*)&ray->m_reach)[axis]))),
+                    X86.Avx.mm256_set1_ps(((float*)&ray->m_absInverse)[axis]));
+                middle = X86.Avx.mm256_mul_ps(middle, inverse);
+                start = X86.Avx.mm256_max_ps(start, X86.Avx.mm256_sub_ps(middle, reach));
+                end = X86.Avx.mm256_min_ps(end, X86.Avx.mm256_add_ps(middle, reach));
+            }
+            X86.Avx.mm256_storeu_ps(starts, start);
+            return X86.Avx.mm256_movemask_ps(X86.Avx.mm256_sub_ps(end, start)) ^ 0xFF;
         }
 
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static bool Clip(float middle, float reach, ref float start, ref float end)
+        // The same without intrinsics.
+        internal static int IntersectPlain(RayBoxes* ray, EightBoxes* boxes, float* starts)
         {
-            float low = middle - reach, high = middle + reach;
-            start = low > start ? low : start;
-            end = high < end ? high : end;
-            return start <= end;
+            int hits = 0;
+            for (int box = 0; box < EightBoxes.Count; box++)
+            {
+                var middle = new float3(boxes->Middle[box], boxes->Middle[EightBoxes.Count + box],
+                    boxes->Middle[2 * EightBoxes.Count + box]) - ray->m_origin;
+                var half = new float3(boxes->Half[box], boxes->Half[EightBoxes.Count + box],
+                    boxes->Half[2 * EightBoxes.Count + box]) + ray->m_slack;
+                // The ray's origin here is at distance 0, and a step of its direction is one.
+                float along = middle.x * ray->m_alongAxes.x + middle.y * ray->m_alongAxes.y + middle.z * ray->m_alongAxes.z;
+                float extent = ray->m_alongSlack + half.x * ray->m_absAlong.x + half.y * ray->m_absAlong.y +
+                    half.z * ray->m_absAlong.z;
+                float start = math.max(along - extent, ray->m_near), end = math.min(along + extent, ray->m_far);
+                float radius = math.max(0, ray->m_radius + ray->m_radiusPerUnit * (ray->m_radiusPerUnit > 0 ? end : start));
+                var reach = (half + radius * ray->m_reach) * ray->m_absInverse;
+                middle *= ray->m_inverse;
+                start = math.max(start, math.cmax(middle - reach));
+                end = math.min(end, math.cmin(middle + reach));
+                starts[box] = start;
+                hits |= start <= end ? 1 << box : 0;
+            }
+            return hits;
         }
     }
 

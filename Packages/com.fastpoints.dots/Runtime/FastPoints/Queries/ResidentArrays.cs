@@ -18,7 +18,7 @@ namespace FastPoints.Queries
         NativeList<ResidentCloud> m_clouds = new NativeList<ResidentCloud>(Allocator.Persistent);
         NativeList<ResidentNode> m_nodes = new NativeList<ResidentNode>(256, Allocator.Persistent);
         NativeList<int> m_children = new NativeList<int>(256, Allocator.Persistent);
-        NativeList<LocalBox> m_boxes = new NativeList<LocalBox>(256, Allocator.Persistent); // Of the trees over nodes.
+        NativeList<EightBoxes> m_eights = new NativeList<EightBoxes>(64, Allocator.Persistent); // Of the trees over nodes.
         NativeList<int> m_nodeOfSlot = new NativeList<int>(1024, Allocator.Persistent); // One more than the index.
         NativeList<ulong> m_keys = new NativeList<ulong>(256, Allocator.Persistent);
         NativeList<uint> m_order = new NativeList<uint>(256, Allocator.Persistent);
@@ -44,10 +44,13 @@ namespace FastPoints.Queries
                     AddNodes(c, copied);
             for (int n = 0; n < m_nodes.Length; n++)
                 AddChildren(n);
-            m_boxes.ResizeUninitialized(2 * m_nodes.Length + m_clouds.Length);
-            var boxes = m_boxes.GetUnsafePtr();
+            int eights = 0;
+            foreach (var cloud in m_clouds)
+                eights += BoxTree.EightsOf(cloud.Tree.LeafCount);
+            m_eights.ResizeUninitialized(eights);
+            var next = m_eights.GetUnsafePtr();
             for (int c = 0; c < m_clouds.Length; c++)
-                boxes += BuildTree(ref m_clouds.ElementAt(c), boxes);
+                next += BuildTree(ref m_clouds.ElementAt(c), next);
         }
 
         // Where the clouds stand now.
@@ -74,7 +77,7 @@ namespace FastPoints.Queries
             m_clouds.Dispose();
             m_nodes.Dispose();
             m_children.Dispose();
-            m_boxes.Dispose();
+            m_eights.Dispose();
             m_nodeOfSlot.Dispose();
             m_keys.Dispose();
             m_order.Dispose();
@@ -192,18 +195,19 @@ namespace FastPoints.Queries
             return stored.PointCount == 0 || slot == NodeState.NoSlot && stored.BlockCount == 0 && AddBelow(pages, page, node);
         }
 
-        // Returns how many boxes it has.
-        int BuildTree(ref ResidentCloud cloud, LocalBox* boxes)
+        // Returns how many boxes it has, by eights.
+        int BuildTree(ref ResidentCloud cloud, EightBoxes* eights)
         {
-            cloud.Tree.Boxes = boxes;
+            cloud.Tree.Eights = eights;
             for (int n = 0; n < cloud.Tree.LeafCount; n++)
             {
                 var tree = m_nodes[cloud.FirstNode + n].Tree;
-                var box = tree.All;
-                boxes[n] = new LocalBox(tree.Corner + (double3)box.Min, tree.Corner + (double3)box.Max);
+                tree.GetAll(out var middle, out var half);
+                middle += tree.Corner;
+                eights[n / BoxTree.FanOut].Set(n % BoxTree.FanOut, middle - half, middle + half);
             }
             cloud.Tree.Build();
-            return BoxTree.CountOf(cloud.Tree.LeafCount);
+            return BoxTree.EightsOf(cloud.Tree.LeafCount);
         }
     }
 }

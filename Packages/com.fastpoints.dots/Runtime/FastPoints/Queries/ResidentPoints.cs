@@ -58,7 +58,7 @@ namespace FastPoints.Queries
         // A hit's cloud is its index in Clouds here, and its node the index in Nodes.
         void Search(in PointQuery query, ref HitHeap hits)
         {
-            ulong* scratch = stackalloc ulong[NodeSearch.ScratchCount];
+            ulong* scratch = stackalloc ulong[3 * ResidentNode.PointsPerRun];
             var clouds = (ResidentCloud*)Clouds.GetUnsafeReadOnlyPtr();
             var nodes = (ResidentNode*)Nodes.GetUnsafeReadOnlyPtr();
             for (int c = 0; c < Clouds.Length; c++)
@@ -81,7 +81,7 @@ namespace FastPoints.Queries
         {
             var items = stackalloc PendingBox[2 * BoxTree.MaxPending];
             var pending = new PendingBoxes { Items = items };
-            pending.Begin(cloud.Tree, PendingBox.NoNode, search.Space);
+            pending.Begin(cloud.Tree, PendingBox.NoNode, search.Space, hits.Limit);
             while (pending.Count > 0)
             {
                 var next = items[--pending.Count];
@@ -90,14 +90,14 @@ namespace FastPoints.Queries
                 if (next.Level > 0)
                 {
                     var tree = next.Node < 0 ? cloud.Tree : nodes[next.Node].Tree;
-                    pending.Push(tree, next.Node, next.Level - 1, next.Index * BoxTree.FanOut, search.Space);
+                    pending.Push(tree, next, search.Space, hits.Limit);
                 }
                 else if (next.Node < 0)
                 {
                     search.Node = cloud.FirstNode + next.Index;
                     search.Corner = nodes[search.Node].Corner;
                     search.Positions = nodes[search.Node].Positions;
-                    pending.Begin(nodes[search.Node].Tree, search.Node, search.Space);
+                    pending.Begin(nodes[search.Node].Tree, search.Node, search.Space, hits.Limit);
                 }
                 else
                 {
@@ -162,7 +162,7 @@ namespace FastPoints.Queries
             RayBoxes m_raysOfCloud;
             RayBoxes m_raysOfNode;
 
-            public void Begin(in BoxTree tree, int node, in QuerySpace space)
+            public void Begin(in BoxTree tree, int node, in QuerySpace space, double limit)
             {
                 if (tree.LeafCount == 0)
                     return;
@@ -170,34 +170,51 @@ namespace FastPoints.Queries
                     m_raysOfCloud = space.BoxesOf(tree);
                 else if (space.IsRay)
                     m_raysOfNode = space.BoxesOf(tree);
-                Push(tree, node, tree.TopLevel, 0, space);
+                Push(tree, new PendingBox { Node = node, Level = tree.TopLevel + 1 }, space, limit);
             }
 
-            // The nearest of a parent's boxes comes on top.
-            public void Push(in BoxTree tree, int node, int level, int first, in QuerySpace space)
+            // The nearest of a parent's boxes comes on top; those beyond the limit are left out.
+            public void Push(in BoxTree tree, in PendingBox parent, in QuerySpace space, double limit)
             {
-                var boxes = tree.LevelOf(level, out int levelCount);
-                int bottom = Count, end = math.min(first + BoxTree.FanOut, levelCount);
-                bool isRay = space.IsRay;
-                for (int i = first; i < end; i++)
+                int level = parent.Level - 1, bottom = Count;
+                var boxes = tree.LevelOf(level, out int boxCount) + parent.Index;
+                double* distances = stackalloc double[BoxTree.FanOut];
+                uint hits = Intersect(boxes, tree, parent.Node, space, distances);
+                int first = parent.Index * BoxTree.FanOut;
+                hits &= 0xFFu >> math.max(0, first + BoxTree.FanOut - boxCount);
+                for (; hits != 0; hits &= hits - 1)
                 {
-                    double distance;
-                    bool intersects = !isRay ? Intersects(boxes[i], tree, space, out distance)
-                        : node < 0 ? m_raysOfCloud.Intersects(boxes[i], out distance)
-                        : m_raysOfNode.Intersects(boxes[i], out distance);
-                    if (!intersects)
+                    int box = math.tzcnt(hits), at = Count;
+                    double distance = distances[box];
+                    if (distance > limit)
                         continue;
-                    int at = Count++;
                     for (; at > bottom && Items[at - 1].Distance < distance; at--)
                         Items[at] = Items[at - 1];
-                    Items[at] = new PendingBox { Distance = distance, Node = node, Level = level, Index = i };
+                    Items[at] = new PendingBox { Distance = distance, Node = parent.Node, Level = level, Index = first + box };
+                    Count++;
                 }
             }
 
-            static bool Intersects(in LocalBox box, in BoxTree tree, in QuerySpace space, out double distance)
+            uint Intersect(EightBoxes* boxes, in BoxTree tree, int node, in QuerySpace space, double* distances)
             {
-                double3 min = box.Min, max = box.Max;
-                return space.Intersects((min + max) * 0.5 + tree.Corner, (max - min) * 0.5, out distance);
+                uint hits = 0;
+                if (space.IsRay)
+                {
+                    float* starts = stackalloc float[BoxTree.FanOut];
+                    fixed (RayBoxes* rays = &(node < 0 ? ref m_raysOfCloud : ref m_raysOfNode))
+                    {
+                        hits = (uint)RayBoxes.Intersect(rays, boxes, starts);
+                        for (int box = 0; box < BoxTree.FanOut; box++)
+                            distances[box] = rays->Base + starts[box];
+                    }
+                    return hits;
+                }
+                for (int box = 0; box < BoxTree.FanOut; box++)
+                {
+                    boxes->Get(box, out var middle, out var half);
+                    hits |= space.Intersects(middle + tree.Corner, half, out distances[box]) ? 1u << box : 0;
+                }
+                return hits;
             }
         }
     }

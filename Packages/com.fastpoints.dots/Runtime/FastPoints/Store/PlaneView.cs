@@ -49,6 +49,14 @@ namespace FastPoints.Store
             BlockCodec.UnpackWide(words, minimum, first, count, width, values);
         }
 
+        // From the block's smallest value, of a width of up to 32 bits. The first of them is the eighth, sixteenth and so on,
+        // which begin with a byte.
+        public void UnpackOffsets(int block, int column, int first, int count, uint* offsets)
+        {
+            int width = WidthOf(block, column);
+            BlockCodec.Unpack((uint*)((byte*)Packed(block, column) + first / 8 * width), 0, count, width, offsets);
+        }
+
         // On one axis, counted from where the node's corner counts from.
         public void UnpackPositions(int block, int axis, long corner, int first, int count, long* to)
         {

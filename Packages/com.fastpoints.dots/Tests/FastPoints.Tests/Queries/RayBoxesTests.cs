@@ -1,0 +1,93 @@
+using FastPoints.Queries;
+using FastPoints.Streaming;
+using NUnit.Framework;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
+
+namespace FastPoints.Tests.Queries
+{
+    public sealed unsafe class RayBoxesTests
+    {
+        const int Leaves = 197; // The last eight are not full.
+
+        [Test]
+        public void Intersect_SeededBoxes_LosesNoPointAndIsThatWithoutIntrinsics([Values(0, 1e7)] double corner)
+        {
+            using var eights = new NativeArray<EightBoxes>(BoxTree.EightsOf(Leaves), Allocator.Persistent);
+            var random = new Unity.Mathematics.Random(41);
+            var tree = new BoxTree { Eights = (EightBoxes*)eights.GetUnsafePtr(), LeafCount = Leaves, Corner = corner };
+            for (int i = 0; i < tree.LeafCount; i++)
+            {
+                var min = random.NextDouble3(-50, 50);
+                tree.Eights[i / 8].Set(i % 8, min, min + random.NextDouble3(0, 8) * (i % 5));
+            }
+            tree.Build();
+            float* starts = stackalloc float[8], plainStarts = stackalloc float[8];
+            int hit = 0, held = 0;
+            for (int i = 0; i < 300; i++)
+            {
+                // Some along an axis, some that narrow.
+                double3 eye = random.NextDouble3(-90, 90), aim = i % 7 == 0 ? eye - new double3(0, 0, 1) : random.NextDouble3(-50, 50);
+                var query = PointQuery.Ray(corner + eye, aim - eye, random.NextDouble(0, 9));
+                query.RadiusPerUnit = random.NextDouble(-0.02, 0.02);
+                var space = new QuerySpace(query, new CloudPlacement(double3x3.identity, 0));
+                var rays = space.BoxesOf(tree);
+                for (int first = 0; first < tree.LeafCount; first += 8)
+                {
+                    int hits = RayBoxes.Intersect(&rays, tree.Eights + first / 8, starts);
+                    Assert.That(RayBoxes.IntersectPlain(&rays, tree.Eights + first / 8, plainStarts), Is.EqualTo(hits));
+                    for (int box = 0; box < math.min(8, tree.LeafCount - first); box++)
+                    {
+                        bool isHit = (hits >> box & 1) != 0;
+                        hit += isHit ? 1 : 0;
+                        if (isHit)
+                            Assert.That(plainStarts[box], Is.EqualTo(starts[box]));
+                        tree.Eights[first / 8].Get(box, out var middle, out var half);
+                        for (int n = 0; n < 8; n++)
+                        {
+                            var position = tree.Corner + middle + half * math.clamp(random.NextDouble3(-2, 2), -1, 1);
+                            if (!space.Holds(space.FromOrigin(position), out double distance, out _))
+                                continue;
+                            held++;
+                            Assert.That(isHit && distance >= rays.Base + starts[box], Is.True);
+                        }
+                    }
+                }
+            }
+            Assert.That(hit, Is.InRange(1000, 10_000));
+            Assert.That(held, Is.GreaterThan(1000));
+        }
+
+        [Test]
+        public void MayHold_SeededPoints_LosesNoneAndIsThatWithoutIntrinsics()
+        {
+            var random = new Unity.Mathematics.Random(42);
+            uint* steps = stackalloc uint[24];
+            int held = 0;
+            for (int i = 0; i < 2000; i++)
+            {
+                double step = math.exp2(random.NextInt(-20, 4));
+                var at = random.NextDouble3(-1e6, 1e6);
+                var query = PointQuery.FromEye(random.NextDouble3(-1e6, 1e6), at, 1, random.NextDouble(0, 0.5));
+                query.DirectionWorld = math.normalize(at - query.OriginWorld);
+                var space = new QuerySpace(query, new CloudPlacement(double3x3.identity, 0));
+                var filter = new BlockFilter(query, space, step);
+                uint size = 1u << random.NextInt(1, 31);
+                filter.Begin(space.FromOrigin(at), new float3(size, size, size), double.PositiveInfinity);
+                for (int n = 0; n < 24; n++)
+                    steps[n] = random.NextUInt(size);
+                int hits = filter.MayHold(steps, steps + 8, steps + 16);
+                Assert.That(filter.MayHoldPlain(steps, steps + 8, steps + 16), Is.EqualTo(hits));
+                for (int n = 0; n < 8; n++)
+                {
+                    var position = at + new double3(steps[n], steps[8 + n], steps[16 + n]) * step;
+                    bool isHeld = space.Holds(space.FromOrigin(position), out _, out _);
+                    held += isHeld ? 1 : 0;
+                    Assert.That(!isHeld || (hits >> n & 1) != 0, Is.True);
+                }
+            }
+            Assert.That(held, Is.InRange(1000, 15_000));
+        }
+    }
+}
