@@ -44,7 +44,8 @@ public sealed class ShaderToolTests
     public void Read_PropertiesStateAndPasses_AreParsed()
     {
         ShaderLabSource shader =
-            Read("Properties { [Header(A)] _A (\"A\", Range(0, 1)) = 0.5 _B (\"B\", Vector) = (1, 2, 3, -4)\n"
+            Read("SubShader { PackageRequirements { \"com.unity.other\" } Pass { " + Pass + " } }\n"
+            + "Properties { [Header(A)] _A (\"A\", Range(0, 1)) = 0.5 _B (\"B\", Vector) = (1, 2, 3, -4)\n"
             + "_C (\"C\", Integer) = 7 } // comment {\n"
             + "/* Pass { */ SubShader { Cull Off Pass { Name \"ONE\" " + Pass
                 + " } Pass { Tags { \"LightMode\" = \"X\" } Cull Front "

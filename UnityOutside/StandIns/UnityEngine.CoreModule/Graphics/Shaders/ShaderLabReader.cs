@@ -81,7 +81,9 @@ sealed class ShaderLabReader
         while (!m_tokens.TryTake("}"))
         {
             string word = m_tokens.Take();
-            if (IsWord(word, "Tags"))
+            if (IsWord(word, "PackageRequirements"))
+                isWanted &= !ReadRequirements();
+            else if (IsWord(word, "Tags"))
                 ReadTags();
             else if (IsWord(word, "LOD"))
                 Number();
@@ -120,6 +122,16 @@ sealed class ShaderLabReader
         if (isWanted)
             m_shader.Passes.Add(new ShaderPass(m_shader, name, tags
                 ?? new Dictionary<string, string>(), state, program.ToString()));
+    }
+
+    // Of packages, none of which has shaders here. Returns whether there are any.
+    bool ReadRequirements()
+    {
+        m_tokens.Expect("{");
+        bool isAny = false;
+        for (; !m_tokens.TryTake("}"); isAny = true)
+            m_tokens.TakeText();
+        return isAny;
     }
 
     Dictionary<string, string> ReadTags()
