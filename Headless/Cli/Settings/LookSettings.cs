@@ -2,23 +2,14 @@ namespace FastPoints.Cli.Settings;
 
 public sealed class LookSettings
 {
-    readonly Option<string?> m_style = new("--style")
-    {
-        HelpName = "k=v,...",
-        Description = PictureOptions.StyleHelp + ".",
-    };
-    readonly Option<string?> m_up = new("--up")
-    {
-        HelpName = "x|y|z|-x|-y|-z",
-        Description = "The axis that points up (default: z; of PLY by the plane that most points lie in).",
-    };
-    readonly Option<bool> m_plain = new("--plain") { Description = "No legend and no scale bar on the picture." };
+    readonly ValueOption<string?> m_style = new("--style", "k=v,...", PictureOptions.StyleHelp + ".");
+    readonly ValueOption<string?> m_up = new("--up", "x|y|z|-x|-y|-z",
+        "The axis that points up (default: z; of PLY by the plane that most points lie in).");
+    readonly Flag m_plain = new("--plain", "No legend and no scale bar on the picture.");
 
     public LookSettings(Command command)
     {
-        command.Add(m_style);
-        command.Add(m_up);
-        command.Add(m_plain);
+        command.Add(m_style, m_up, m_plain);
     }
 
     public static void RequireColor(PictureOptions options, PointSchema schema, string path)
