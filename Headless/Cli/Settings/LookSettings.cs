@@ -2,15 +2,12 @@ namespace FastPoints.Cli.Settings;
 
 public sealed class LookSettings
 {
-    readonly ValueOption<string?> m_style = new("--style", "k=v,...", PictureOptions.StyleHelp + ".");
+    readonly ValueOption<string?> m_style = new("--style", "k=v,...", PictureStyle.Help + ".");
     readonly ValueOption<string?> m_up = new("--up", "x|y|z|-x|-y|-z",
         "The axis that points up (default: z; of PLY by the plane that most points lie in).");
     readonly Flag m_plain = new("--plain", "No legend and no scale bar on the picture.");
 
-    public LookSettings(Command command)
-    {
-        command.Add(m_style, m_up, m_plain);
-    }
+    public LookSettings(Command command) => command.Add(m_style, m_up, m_plain);
 
     public static void RequireColor(PictureOptions options, PointSchema schema, string path)
     {
@@ -46,10 +43,10 @@ public sealed class LookSettings
             int equals = pair.IndexOf('=');
             if (equals < 1)
                 throw new UsageException("--style: wanted k=v, got " + pair);
-            if (!options.TrySetStyle(pair[..equals].Trim(), pair[(equals + 1)..].Trim(), out string error))
+            if (options.SetStyle(pair[..equals].Trim(), pair[(equals + 1)..].Trim()) is { } error)
                 throw new UsageException("--style: " + error);
         }
-        if (parsed.GetValue(m_up) is { } up && !options.TrySetStyle("up", up, out string wrong))
+        if (parsed.GetValue(m_up) is { } up && options.SetStyle("up", up) is { } wrong)
             throw new UsageException("--up: " + wrong);
         return options;
     }

@@ -138,9 +138,7 @@ namespace FastPoints.Laz
                 if ((changed & SourceChangedBit) != 0)
                 {
                     // Its own locals: a call that took references to these would keep them in memory for the whole method.
-                    stream->Value = value;
-                    stream->Length = length;
-                    stream->Next = next;
+                    stream->Save(value, length, next);
                     state->m_source = (ushort)(state->m_source + IntegerModel.Decode(memory + SourceOffset, 16, 1, 0, stream));
                     value = stream->Value;
                     length = stream->Length;
@@ -171,9 +169,7 @@ namespace FastPoints.Laz
             *lastHeight = z;
             state->m_z = z;
 
-            stream->Value = value;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(value, length, next);
             *(long*)record = *(long*)state;
             *(long*)(record + 8) = *((long*)state + 1);
             *(int*)(record + 16) = *((int*)state + 4);
@@ -204,9 +200,7 @@ namespace FastPoints.Laz
             IntegerModel.Encode(memory + ZOffset, 32, ZContexts, isSingle + (k < 18 ? k & ~1 : 18), z - *lastHeight, out _,
                 ref low, ref length, ref next);
             *lastHeight = z;
-            stream->Value = low;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(low, length, next);
             state->SetLast(record);
         }
 
@@ -242,9 +236,7 @@ namespace FastPoints.Laz
             if ((changed & UserDataChangedBit) != 0)
                 SymbolModel.Encode(ModelOfByte(memory + UserDataOffset, state->m_userDataMade, state->m_userData), 256,
                     record[17], ref low, ref length, ref next);
-            stream->Value = low;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(low, length, next);
             if ((changed & SourceChangedBit) != 0)
                 IntegerModel.Encode(memory + SourceOffset, 16, 1, 0, *(ushort*)(record + 18) - state->m_source, stream);
         }
