@@ -9,6 +9,11 @@ sealed class ValueOption<T> : Option<T>
         DefaultValueFactory = _ => fallback;
 }
 
+sealed class Inputs : Argument<string[]>
+{
+    public Inputs(string name, string description) : base(name) => (Description, Arity) = (description, ArgumentArity.OneOrMore);
+}
+
 sealed class Flag : Option<bool>
 {
     public Flag(string name, string description) : base(name) => Description = description;

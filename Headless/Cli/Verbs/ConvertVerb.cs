@@ -2,11 +2,8 @@ namespace FastPoints.Cli.Verbs;
 
 public sealed class ConvertVerb : Verb
 {
-    readonly Argument<string[]> m_files = new("FILE")
-    {
-        Arity = ArgumentArity.OneOrMore,
-        Description = "Point clouds, or folders of them. Several become one cloud with the attributes of all.",
-    };
+    readonly Inputs m_files = new("FILE",
+        "Point clouds, or folders of them. Several become one cloud with the attributes of all.");
     readonly ValueOption<string?> m_output = new("--output", "NAME.fastpoints",
         "The folder to make; a cloud of the same files that is there is replaced when the new one is whole.")
         { Aliases = { "-o" } };

@@ -2,11 +2,8 @@ namespace FastPoints.Cli.Verbs;
 
 public sealed class ExportVerb : Verb
 {
-    readonly Argument<string[]> m_clouds = new("CLOUD")
-    {
-        Arity = ArgumentArity.OneOrMore,
-        Description = "A converted cloud, or point clouds and folders of them, of which several become one file.",
-    };
+    readonly Inputs m_clouds = new("CLOUD",
+        "A converted cloud, or point clouds and folders of them, of which several become one file.");
     readonly ValueOption<string> m_output = new("--output", "OUT.las|.laz|.copc.laz|.ply",
         "The file to write. LAS and LAZ keep the point format, grid and records of a LAS source; COPC has point format 6, 7 "
             + "or 8 and an octree of its own, by way of temporary files in OUT.copc.laz.octree.")

@@ -9,20 +9,16 @@ public sealed class FlyVerb : Verb
     const int DefaultFrames = 600;
     const int MaxFramesPerPicture = 3600; // An animation shows a picture for a minute at most: 65,535 ms.
 
-    readonly Argument<string[]> m_clouds = new("CLOUD")
-    {
-        Arity = ArgumentArity.OneOrMore,
-        Description = "Converted clouds, COPC, Potree or EPT as they are, previews of other files; all are "
-            + "flown over at once, where their coordinates put them.",
-    };
+    readonly Inputs m_clouds = new("CLOUD",
+        "Converted clouds, COPC, Potree or EPT as they are, previews of other files; all are flown over at once, where "
+            + "their coordinates put them.");
     readonly ValueOption<string?> m_path = new("--path", "FILE",
         "The camera's way, a line each: frame eyeX eyeY eyeZ targetX targetY targetZ [cut] (default: an overview, a dive, a "
             + "way along the ground, a cut).");
     readonly Option<long?> m_frames = Counts.Optional("--frames",
         "Frames, 60 a second (default: 600, or as many as the path has).");
     readonly Flag m_cpu = new("--cpu", "Draw in software (default).");
-    readonly Option<bool> m_gpu =
-        new("--gpu") { Description = "Upload to a graphics card and draw there, by Vulkan; Mesa's lavapipe will do." };
+    readonly Flag m_gpu = new("--gpu", "Upload to a graphics card and draw there, by Vulkan; Mesa's lavapipe will do.");
     readonly ValueOption<string?> m_output = new("--output", "DIR|NAME.webp|NAME.png|NAME%04d.png",
         "Draw: an animation, or single pictures; a folder gets the smaller animation, last.png, frames.csv and report.html "
             + "(the camera's way in 3D, and charts of each frame). Without it nothing is drawn. WebP takes the system's "

@@ -2,11 +2,7 @@ namespace FastPoints.Cli.Verbs;
 
 public sealed class InfoVerb : Verb
 {
-    readonly Argument<string[]> m_files = new("FILE")
-    {
-        Arity = ArgumentArity.OneOrMore,
-        Description = "Point clouds, folders of them, or converted clouds.",
-    };
+    readonly Inputs m_files = new("FILE", "Point clouds, folders of them, or converted clouds.");
     readonly Flag m_scan = new("--scan",
         "Decode every point: how many there are, their bounds, each attribute's range and sum, where nearly all are, and "
             + "how densely.");

@@ -2,14 +2,10 @@ namespace FastPoints.Cli.Verbs;
 
 public sealed class PictureVerb : Verb
 {
-    readonly Argument<string[]> m_clouds = new("CLOUD")
-    {
-        Arity = ArgumentArity.OneOrMore,
-        Description = "A converted cloud; or point clouds, or folders of them: several are drawn as one. With "
-            + "--budget, COPC, Potree and EPT are drawn from their own octrees; so are converted clouds and these together.",
-    };
-    readonly Option<string> m_output =
-        new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
+    readonly Inputs m_clouds = new("CLOUD",
+        "A converted cloud; or point clouds, or folders of them: several are drawn as one. With --budget, COPC, Potree and "
+            + "EPT are drawn from their own octrees; so are converted clouds and these together.");
+    readonly ValueOption<string> m_output = new("--output", "P.png", "The picture.") { Aliases = { "-o" }, Required = true };
     readonly Option<long?> m_budget = Counts.Optional("--budget",
         "Draw at most so many points (default: every one of a file, 2,000,000 of a converted cloud).");
     readonly ValueOption<string?> m_against = new("--against", "Q.png",

@@ -2,12 +2,9 @@ namespace FastPoints.Cli.Verbs;
 
 public sealed class PlanVerb : Verb
 {
-    readonly Argument<string[]> m_sources = new("SOURCE")
-    {
-        Arity = ArgumentArity.OneOrMore,
-        Description = "Point clouds as convert takes them; besides patterns (in quotes: 'tiles/*.laz') and @LIST, a file with a "
-            + "source a line.",
-    };
+    readonly Inputs m_sources = new("SOURCE",
+        "Point clouds as convert takes them; besides patterns (in quotes: 'tiles/*.laz') and @LIST, a file with a source a "
+            + "line.");
     readonly ValueOption<string> m_output = new("--output", "PLAN.json",
         "The plan to make; files for its tasks come into the folder PLAN.parts beside it.")
         { Aliases = { "-o" }, Required = true };

@@ -2,13 +2,8 @@ namespace FastPoints.Cli.Verbs;
 
 public sealed class PreviewVerb : Verb
 {
-    readonly Argument<string[]> m_files = new("FILE")
-    {
-        Arity = ArgumentArity.OneOrMore,
-        Description = "Point clouds, or folders of them; several are drawn as one.",
-    };
-    readonly Option<string> m_output =
-        new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
+    readonly Inputs m_files = new("FILE", "Point clouds, or folders of them; several are drawn as one.");
+    readonly ValueOption<string> m_output = new("--output", "P.png", "The picture.") { Aliases = { "-o" }, Required = true };
     readonly Option<long> m_points = Counts.Of("--points", "Points of the sample (default: 1,000,000).",
         new PreviewOptions().Points);
     readonly Flag m_exact = new("--exact", "Choose from a scan of all points, not from short runs of them: the reference.");
