@@ -138,7 +138,9 @@ namespace FastPoints.Laz
                 if ((changed & SourceChangedBit) != 0)
                 {
                     // Its own locals: a call that took references to these would keep them in memory for the whole method.
-                    stream->Save(value, length, next);
+                    stream->Value = value;
+                    stream->Length = length;
+                    stream->Next = next;
                     state->m_source = (ushort)(state->m_source + IntegerModel.Decode(memory + SourceOffset, 16, 1, 0, stream));
                     value = stream->Value;
                     length = stream->Length;
