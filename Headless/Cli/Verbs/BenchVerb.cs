@@ -16,7 +16,8 @@ public sealed class BenchVerb : Verb
             + "workload's time is given by that run's, and marked where the difference is beyond the scatter of the samples.");
     readonly ValueOption<string> m_out = new("--output", "DIR",
         "Folder for report.html and PerformanceTestResults.json, in the format of Unity's Performance Testing package "
-            + "(default: ./bench-report/).", "bench-report") { Aliases = { "-o", "--out" } };
+            + "(default: ./bench-report/).", "bench-report")
+    { Aliases = { "-o", "--out" } };
     readonly Option<long> m_points = Counts.Of("--points", "Points that a made input has (default: 4,000,000).", 4_000_000);
     readonly Option<long> m_runs = Counts.Of("--runs",
         "Timed runs of each workload, interleaved (default: 7). The median counts.", 7);

@@ -5,7 +5,8 @@ public sealed class BuildVerb : Verb
     readonly TaskSettings m_task;
     readonly ValueOption<int?> m_bucket = new("--bucket", "[N]",
         "Sort some of the sources' points by the tasks that they belong to, where the plan has such tasks; before all "
-            + "others.") { Arity = ArgumentArity.ZeroOrOne };
+            + "others.")
+    { Arity = ArgumentArity.ZeroOrOne };
 
     public BuildVerb() : base(new Command("build",
         "Build one of a plan's tasks: as often as it takes, anywhere, with the same outcome."))

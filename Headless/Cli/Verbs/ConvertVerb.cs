@@ -6,7 +6,7 @@ public sealed class ConvertVerb : Verb
         "Point clouds, or folders of them. Several become one cloud with the attributes of all.");
     readonly ValueOption<string?> m_output = new("--output", "NAME.fastpoints",
         "The folder to make; a cloud of the same files that is there is replaced when the new one is whole.")
-        { Aliases = { "-o" } };
+    { Aliases = { "-o" } };
     readonly Flag m_normals = new("--normals",
         "Also compute normals of the points from their 16 nearest neighbours: 2 bytes a point. A converted cloud gets them "
             + "without -o.");

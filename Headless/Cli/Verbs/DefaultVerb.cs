@@ -11,7 +11,7 @@ public sealed class DefaultVerb : Verb
     readonly Flag m_asOne = new("--as-one", "The files are tiles of one cloud: report on that.");
     readonly ValueOption<string?> m_out = new("--output", "DIR",
         "Where the report goes (default: ./NAME-report; with several files a folder for each, in DIR).")
-        { Aliases = { "-o", "--out" } };
+    { Aliases = { "-o", "--out" } };
     readonly Option<long> m_points = Counts.Of("--points",
         "Points of the scan that is made without a FILE (default: 5,000,000).", DemoCloud.DefaultPoints);
     readonly ValueOption<uint> m_seed = new("--seed", "S", "Seed of that scan (default: 1).", 1);

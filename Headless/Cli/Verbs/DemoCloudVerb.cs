@@ -3,7 +3,8 @@ namespace FastPoints.Cli.Verbs;
 public sealed class DemoCloudVerb : Verb
 {
     readonly ValueOption<string> m_output = new("--output", "FILE",
-        "What to write: .las or .laz (1.4, point format 7) or .ply (binary).") { Aliases = { "-o" }, Required = true };
+        "What to write: .las or .laz (1.4, point format 7) or .ply (binary).")
+    { Aliases = { "-o" }, Required = true };
     readonly Option<long> m_points = Counts.Of("--points", "Points, exactly (default: 5,000,000).", DemoCloud.DefaultPoints);
     readonly ValueOption<uint> m_seed = new("--seed", "S",
         "Another seed is another street; the same seed gives the same bytes, whatever the threads (default: 1).", 1);

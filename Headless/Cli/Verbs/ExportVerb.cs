@@ -7,7 +7,7 @@ public sealed class ExportVerb : Verb
     readonly ValueOption<string> m_output = new("--output", "OUT.las|.laz|.copc.laz|.ply",
         "The file to write. LAS and LAZ keep the point format, grid and records of a LAS source; COPC has point format 6, 7 "
             + "or 8 and an octree of its own, by way of temporary files in OUT.copc.laz.octree.")
-        { Aliases = { "-o" }, Required = true };
+    { Aliases = { "-o" }, Required = true };
     readonly ValueOption<string[]> m_clip = new("--clip", "x,y,z,X,Y,Z",
         "Only points in the box between two corners in the file's coordinates, faces included, or in any of several.");
     readonly ValueOption<string[]> m_clipLocal = new("--clip-local", "x,y,z,X,Y,Z",

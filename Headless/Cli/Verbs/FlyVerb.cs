@@ -22,7 +22,8 @@ public sealed class FlyVerb : Verb
     readonly ValueOption<string?> m_output = new("--output", "DIR|NAME.webp|NAME.png|NAME%04d.png",
         "Draw: an animation, or single pictures; a folder gets the smaller animation, last.png, frames.csv and report.html "
             + "(the camera's way in 3D, and charts of each frame). Without it nothing is drawn. WebP takes the system's "
-            + "libwebp.") { Aliases = { "-o" } };
+            + "libwebp.")
+    { Aliases = { "-o" } };
     readonly Option<long> m_every = Counts.Of("--every", "Draw every Nth frame (default: 6, ten pictures a second).", 6);
     readonly Option<long> m_budget = Counts.Of("--budget", "Points of all clouds at once (default: 2,000,000).", 2_000_000);
     readonly Option<long> m_pool = Counts.Of("--pool",

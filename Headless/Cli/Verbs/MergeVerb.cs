@@ -4,7 +4,8 @@ public sealed class MergeVerb : Verb
 {
     readonly TaskSettings m_task;
     readonly ValueOption<int> m_level = new("--level", "L",
-        "Level of the merge, from 1; each needs all of the one before it, and the first one all builds.") { Required = true };
+        "Level of the merge, from 1; each needs all of the one before it, and the first one all builds.")
+    { Required = true };
 
     public MergeVerb() : base(new Command("merge", "Merge what tasks of a plan have left open to upper levels of the octree."))
     {

@@ -7,9 +7,10 @@ public sealed class PlanVerb : Verb
             + "line.");
     readonly ValueOption<string> m_output = new("--output", "PLAN.json",
         "The plan to make; files for its tasks come into the folder PLAN.parts beside it.")
-        { Aliases = { "-o" }, Required = true };
+    { Aliases = { "-o" }, Required = true };
     readonly ValueOption<string> m_store = new(S3Addresses.StoreOption, "STORE",
-        "Where the cloud comes to be: a folder that all machines see, or s3://bucket/prefix.") { Required = true };
+        "Where the cloud comes to be: a folder that all machines see, or s3://bucket/prefix.")
+    { Required = true };
     readonly Option<long> m_taskPoints = Counts.Of("--task-points", "Points of a task, about (default: 50M).", 50_000_000);
     readonly ValueOption<string> m_memory = new("--memory", "SIZE",
         "Resident memory that a task may take, unless it is told otherwise (default: 1GiB).", "1GiB");

@@ -14,7 +14,8 @@ public sealed class PreviewVerb : Verb
         "Measure the error over time, of this and of other ways to sample, against all points: distances, empty cells, "
             + "evenness, pictures. Writes a page with charts, and a table. Reads the file some dozen times.");
     readonly ValueOption<string?> m_out = new("--report-output", "DIR",
-        "Where --report goes (default: ./NAME-preview-report).") { Aliases = { "--out" } };
+        "Where --report goes (default: ./NAME-preview-report).")
+    { Aliases = { "--out" } };
     readonly PictureSettings m_picture;
     readonly SourceSettings m_source;
 

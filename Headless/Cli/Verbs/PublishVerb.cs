@@ -12,7 +12,8 @@ public sealed class PublishVerb : Verb
     readonly Flag m_single = new("--single",
         "Make a cloud of one file beside its texts, for hosts that limit the number of files, and check that.");
     readonly ValueOption<string?> m_output = new("--output", "OUT.fastpoints",
-        "The folder to make, with --single.") { Aliases = { "-o" } };
+        "The folder to make, with --single.")
+    { Aliases = { "-o" } };
 
     public PublishVerb() : base(new Command("publish", "Check that a web server can serve a converted cloud, or does."))
     {

@@ -9,7 +9,8 @@ public sealed class SurfaceVerb : Verb
     readonly Argument<string> m_cloud = new("NAME.fastpoints") { Description = "A converted cloud." };
     readonly ValueOption<string> m_output = new("--output", "S.ply|.obj",
         "The file to write: thin sheets with two faces where the points are, in the cloud's coordinates, binary PLY or OBJ. "
-            + "All of it is kept in memory, some 100 bytes a triangle.") { Aliases = { "-o" }, Required = true };
+            + "All of it is kept in memory, some 100 bytes a triangle.")
+    { Aliases = { "-o" }, Required = true };
     readonly ValueOption<double> m_voxel = new("--voxel", "METRES",
         "Edge of a voxel: about the size of triangles, and how far points of one surface may be from one another.", 0.1);
     readonly ValueOption<double?> m_hole = new("--hole", "METRES",

@@ -10,7 +10,7 @@ public sealed class UpgradeVerb : Verb
     };
     readonly ValueOption<string?> m_output = new("--output", "OTHER.fastpoints",
         "Another folder to make (default: the cloud is replaced when the new one is whole; both are on the disk until then).")
-        { Aliases = { "-o" } };
+    { Aliases = { "-o" } };
 
     public UpgradeVerb() : base(new Command("upgrade",
         "Make a cloud that an older version converted one of this version: its points, without its sources."))

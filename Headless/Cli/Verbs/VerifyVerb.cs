@@ -5,7 +5,8 @@ public sealed class VerifyVerb : Verb
     readonly Argument<string> m_cloud = new("NAME.fastpoints") { Description = "A converted cloud." };
     readonly ValueOption<string[]> m_against = new("--against", "FILE...",
         "The files (or their folder) that it was made from: the points are the same, position and every attribute, or it "
-            + "fails.") { Arity = ArgumentArity.OneOrMore, AllowMultipleArgumentsPerToken = true };
+            + "fails.")
+    { Arity = ArgumentArity.OneOrMore, AllowMultipleArgumentsPerToken = true };
 
     readonly SourceSettings m_source;
 
