@@ -11,42 +11,6 @@ namespace FastPoints.RepoTools;
 
 public static class Program
 {
-    private const string Usage = """
-        usage: RepoTools VERB [--check] [--root DIR] [--tag TAG] [--flows] [--list NAME]
-               RepoTools epsg PROJ_DB
-               RepoTools guard STAND-IN REFERENCE... (the build calls it)
-
-          meta      a .meta beside every file and folder of the package that Unity imports; a guid that is there is kept
-          api       Headless/Api/used.tsv: the Unity signatures that the package uses, from the IL of each generation's build
-                    (dotnet build Headless/Generations.proj) and the full list in $FASTPOINTS_DATA/unity-api
-                    with --check, stand-ins show no type or member that neither the package, the host nor any test names
-          threads   Headless/Api/threads.tsv: on which threads the members of Unity that the package uses may be called, from
-                    these builds and the full table beside that list
-          hlsl      Shaders/Generated/*.hlsl from the structs marked [GenerateHlsl]
-          formats   compares the byte tables in Documentation~/internals/disk-format.md with the structs marked [DiskFormat]
-          behaviour compares Headless/Api/behaviour.tsv with the stand-ins and tests that it names; makes the manual's list
-                    of what is unverified from it
-          reference the reference at the end of Documentation~/api.md: the public types of the compiled package
-          guard     makes members of a stand-in refuse other threads than the main one, as Headless/Api/threads.tsv says
-          house     prints how large the repository's parts are and refuses what is beyond the limits in
-                    Headless/Api/house.tsv and above the ceilings in $FASTPOINTS_DATA/design/ceilings.tsv (or the copy beside
-                    house.tsv); lowers limits that are above their goals to what has been reached
-                    with --flows, the same of the files and rooms that each flow of house.tsv reaches, from the builds that
-                    api reads: all types that the type of its first function names, those that these name, and so on; a base
-                    does not reach what derives from it, so formats count where house.tsv or code of the flow names them
-          package   compares the package with what Unity's package validation suite and npm ask of one, and prints its size
-
-          epsg      Reading/EpsgTable.g.cs: EPSG's coordinate systems and their units, from PROJ's database (Debian's
-                    proj-data has it in /usr/share/proj/proj.db)
-
-          --check   writes nothing; says what is not as it should be
-          --root    the repository (default: the one that this program was built in)
-          --tag     with package: the tag of a release, which is the version and has an entry with a date
-          --list    with house: names all that a measure counts; with --flows, a flow's files by room
-
-        Exit status: 0 all is well (or was written), 1 it is not, 2 usage.
-        """;
-
     public static int Main(string[] args)
     {
         if (args.Length > 1 && args[0] == "guard")
@@ -79,7 +43,7 @@ public static class Program
                     break;
                 case "-h":
                 case "--help":
-                    Console.WriteLine(Usage);
+                    Console.Write(EmbeddedText.Of("usage.txt"));
                     return 0;
                 default:
                     if (verb == "epsg" && database == null)
@@ -159,7 +123,7 @@ public static class Program
     private static int Misused(string reason)
     {
         Console.Error.WriteLine(reason);
-        Console.Error.WriteLine(Usage);
+        Console.Error.Write(EmbeddedText.Of("usage.txt"));
         return 2;
     }
 }

@@ -60,9 +60,7 @@ sealed class PartFilter : IPointFilter, IDisposable
             {
                 Columns = batch.Bytes,
                 AllColumns = new NativeArray<PointColumn>(columns, Allocator.Persistent),
-                X = batch.Column(batch.Schema.IndexOf(AttributeNames.X)),
-                Y = batch.Column(batch.Schema.IndexOf(AttributeNames.Y)),
-                Z = batch.Column(batch.Schema.IndexOf(AttributeNames.Z)),
+                Positions = PositionColumns.Of(batch),
                 Grid = selection.m_grid,
                 Cube = selection.m_part.Cube,
                 CloudCube = selection.m_part.CloudCube,
@@ -118,9 +116,7 @@ unsafe struct FilterPartJob : IJob
     public NativeArray<byte> Columns;
     [ReadOnly] public NativeReference<DecodeResult> Decoded;
     [ReadOnly] public NativeArray<PointColumn> AllColumns;
-    public PointColumn X;
-    public PointColumn Y;
-    public PointColumn Z;
+    public PositionColumns Positions;
     public SourceGrid Grid;
     public GridCube Cube;
     public GridCube CloudCube;
@@ -159,9 +155,9 @@ unsafe struct FilterPartJob : IJob
         for (int first = 0; first < count; first += BatchPoints)
         {
             int points = math.min(BatchPoints, count - first);
-            SourceGrid.ToGrid(Grid.X, X.At(bytes, First + first), X.Type, points, x, ref ignored);
-            SourceGrid.ToGrid(Grid.Y, Y.At(bytes, First + first), Y.Type, points, y, ref ignored);
-            SourceGrid.ToGrid(Grid.Z, Z.At(bytes, First + first), Z.Type, points, z, ref ignored);
+            SourceGrid.ToGrid(Grid.X, Positions.X.At(bytes, First + first), Positions.X.Type, points, x, ref ignored);
+            SourceGrid.ToGrid(Grid.Y, Positions.Y.At(bytes, First + first), Positions.Y.Type, points, y, ref ignored);
+            SourceGrid.ToGrid(Grid.Z, Positions.Z.At(bytes, First + first), Positions.Z.Type, points, z, ref ignored);
             for (int i = 0; i < points; i++)
             {
                 var position = new Grid3(x[i], y[i], z[i]);

@@ -2,18 +2,11 @@ namespace FastPoints.Cli.Settings;
 
 public sealed class CloudSettings
 {
-    readonly Option<string> m_sampler = new("--sampler")
-    {
-        HelpName = "NAME",
-        Description = "Which points stand for the others: random, one a cell by chance; poisson, evenly "
-            + "spaced; average, as poisson with colour and intensity averaged besides (default: poisson).",
-        DefaultValueFactory = _ => "poisson",
-    };
-    readonly Option<string?> m_attributes = new("--attributes")
-    {
-        HelpName = "A,B,...",
-        Description = "Attributes to keep beside the position (default: all).",
-    };
+    readonly ValueOption<string> m_sampler = new("--sampler", "NAME",
+        "Which points stand for the others: random, one a cell by chance; poisson, evenly spaced; average, as poisson with "
+            + "colour and intensity averaged besides (default: poisson).", "poisson");
+    readonly ValueOption<string?> m_attributes = new("--attributes", "A,B,...",
+        "Attributes to keep beside the position (default: all).");
 
     // For tests and tuning: they change what is stored, and no figure is given for other values.
     readonly Option<long?> m_chunkPoints = Counts.Optional("--chunk-points", "The most points of a chunk.");
@@ -26,10 +19,7 @@ public sealed class CloudSettings
     {
         int before = command.Options.Count;
         m_chunkPoints.Hidden = m_leafPoints.Hidden = true;
-        command.Add(m_sampler);
-        command.Add(m_attributes);
-        command.Add(m_chunkPoints);
-        command.Add(m_leafPoints);
+        command.Add(m_sampler, m_attributes, m_chunkPoints, m_leafPoints);
         m_filter = new FilterSettings(command);
         m_source = new SourceSettings(command);
         m_options = command.Options.Skip(before).ToList();

@@ -6,32 +6,19 @@ public sealed record RunSettings(string? Json = null, bool IsQuiet = false, bool
 
 public sealed class CommonOptions
 {
-    readonly Option<string?> m_json = new("--json")
-    {
-        HelpName = "FILE",
-        Description = "Write a summary of the run as JSON; - for standard output, which then holds nothing else.",
-    };
+    readonly ValueOption<string?> m_json = new("--json", "FILE",
+        "Write a summary of the run as JSON; - for standard output, which then holds nothing else.");
     readonly Option<long?> m_threads = Counts.Optional("--threads",
         "Threads that work (default: one a core, and no more). Results do not depend on it.");
-    readonly Option<bool> m_quiet = new("--quiet")
-    {
-        Description = "No progress and no warnings on standard error; errors only. The summary has the warnings all the same.",
-    };
-    readonly Option<bool> m_force = new("--force")
-    {
-        Description = "Write over what this tool did not make, made of other sources, or exported before it was "
-            + "edited. Never over an input.",
-    };
-    readonly Option<bool> m_strict = new("--strict")
-    {
-        Description = "End with 4 where a source has fewer points than it claims, anything is odd about it, or no point "
-            + "comes out.",
-    };
-    readonly Option<bool> m_allowHttp = new("--allow-http")
-    {
-        Description = "Read from http:// too, which anybody on the way can see and change. This machine's own servers need no "
-            + "permission.",
-    };
+    readonly Flag m_quiet = new("--quiet",
+        "No progress and no warnings on standard error; errors only. The summary has the warnings all the same.");
+    readonly Flag m_force = new("--force",
+        "Write over what this tool did not make, made of other sources, or exported before it was edited. Never over an "
+            + "input.");
+    readonly Flag m_strict = new("--strict",
+        "End with 4 where a source has fewer points than it claims, anything is odd about it, or no point comes out.");
+    readonly Flag m_allowHttp = new("--allow-http",
+        "Read from http:// too, which anybody on the way can see and change. This machine's own servers need no permission.");
 
     public CommonOptions(Command root)
     {

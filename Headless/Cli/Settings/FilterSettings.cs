@@ -4,35 +4,22 @@ public sealed class FilterSettings
 {
     const string PolygonOption = "--polygon";
 
-    readonly Option<string?> m_classes = new("--classes") { HelpName = "N,...", Description = "Only points of these classes." };
-    readonly Option<string?> m_returns = new("--returns")
-    {
-        HelpName = "first|last|N",
-        Description = "Only first returns, last ones (whose number is that of their pulse's returns), or those of a number.",
-    };
+    readonly ValueOption<string?> m_classes = new("--classes", "N,...", "Only points of these classes.");
+    readonly ValueOption<string?> m_returns = new("--returns", "first|last|N",
+        "Only first returns, last ones (whose number is that of their pulse's returns), or those of a number.");
     readonly Option<long?> m_everyNth = Counts.Optional("--every-nth", "Only every N-th point in the source's order, from the "
         + "first.");
-    readonly Option<string?> m_polygon = new(PolygonOption)
-    {
-        HelpName = "FILE",
-        Description = "Only points in a polygon or any of several: GeoJSON or WKT, POLYGON or MULTIPOLYGON, holes too, in the "
-            + "file's horizontal coordinates. The rings of each count even-odd; points on an edge belong.",
-    };
-    readonly Option<string?> m_where = new("--where")
-    {
-        HelpName = "CONDITION",
-        Description = "Only points for which it holds: comparisons (== != < <= > >=) of attributes and numbers, joined by "
-            + "&&, || and !, with parentheses. Attributes are named as info names them (in \"\" where a name is no word), X, Y "
-            + "and Z too, and have their own units.",
-    };
+    readonly ValueOption<string?> m_polygon = new(PolygonOption, "FILE",
+        "Only points in a polygon or any of several: GeoJSON or WKT, POLYGON or MULTIPOLYGON, holes too, in the file's "
+            + "horizontal coordinates. The rings of each count even-odd; points on an edge belong.");
+    readonly ValueOption<string?> m_where = new("--where", "CONDITION",
+        "Only points for which it holds: comparisons (== != < <= > >=) of attributes and numbers, joined by &&, || and !, "
+            + "with parentheses. Attributes are named as info names them (in \"\" where a name is no word), X, Y and Z too, "
+            + "and have their own units.");
 
     public FilterSettings(Command command)
     {
-        command.Add(m_classes);
-        command.Add(m_returns);
-        command.Add(m_everyNth);
-        command.Add(m_polygon);
-        command.Add(m_where);
+        command.Add(m_classes, m_returns, m_everyNth, m_polygon, m_where);
     }
 
     /// <returns>An option's value as it is elsewhere: of a polygon the whole path.</returns>

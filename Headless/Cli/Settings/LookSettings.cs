@@ -2,24 +2,12 @@ namespace FastPoints.Cli.Settings;
 
 public sealed class LookSettings
 {
-    readonly Option<string?> m_style = new("--style")
-    {
-        HelpName = "k=v,...",
-        Description = PictureOptions.StyleHelp + ".",
-    };
-    readonly Option<string?> m_up = new("--up")
-    {
-        HelpName = "x|y|z|-x|-y|-z",
-        Description = "The axis that points up (default: z; of PLY by the plane that most points lie in).",
-    };
-    readonly Option<bool> m_plain = new("--plain") { Description = "No legend and no scale bar on the picture." };
+    readonly ValueOption<string?> m_style = new("--style", "k=v,...", PictureStyle.Help + ".");
+    readonly ValueOption<string?> m_up = new("--up", "x|y|z|-x|-y|-z",
+        "The axis that points up (default: z; of PLY by the plane that most points lie in).");
+    readonly Flag m_plain = new("--plain", "No legend and no scale bar on the picture.");
 
-    public LookSettings(Command command)
-    {
-        command.Add(m_style);
-        command.Add(m_up);
-        command.Add(m_plain);
-    }
+    public LookSettings(Command command) => command.Add(m_style, m_up, m_plain);
 
     public static void RequireColor(PictureOptions options, PointSchema schema, string path)
     {
@@ -55,10 +43,10 @@ public sealed class LookSettings
             int equals = pair.IndexOf('=');
             if (equals < 1)
                 throw new UsageException("--style: wanted k=v, got " + pair);
-            if (!options.TrySetStyle(pair[..equals].Trim(), pair[(equals + 1)..].Trim(), out string error))
+            if (options.SetStyle(pair[..equals].Trim(), pair[(equals + 1)..].Trim()) is { } error)
                 throw new UsageException("--style: " + error);
         }
-        if (parsed.GetValue(m_up) is { } up && !options.TrySetStyle("up", up, out string wrong))
+        if (parsed.GetValue(m_up) is { } up && options.SetStyle("up", up) is { } wrong)
             throw new UsageException("--up: " + wrong);
         return options;
     }

@@ -2,40 +2,17 @@ namespace FastPoints.Cli.Settings;
 
 public sealed class PictureSettings
 {
-    readonly Option<string> m_size = new("--size")
-    {
-        HelpName = "WxH",
-        Description = "Pixels (default: 1280x720).",
-        DefaultValueFactory = _ => "1280x720",
-    };
-    readonly Option<string?> m_eye = new("--eye")
-    {
-        HelpName = "x,y,z",
-        Description = "Where the camera is, in the cloud's own coordinates; with --target and, if need be, --fov.",
-    };
-    readonly Option<string?> m_target = new("--target") { HelpName = "x,y,z", Description = "Where the camera looks." };
-    readonly Option<double> m_fov = new("--fov")
-    {
-        HelpName = "DEG",
-        Description = "Vertical field of view in degrees (default: 45).",
-        DefaultValueFactory = _ => PictureOptions.DefaultFovDegrees,
-    };
-    readonly Option<string?> m_view = new("--view")
-    {
-        HelpName = "VIEW",
-        Description = "top, bottom, front, back, left (or side), right or iso in place of a camera (default: what shows most).",
-    };
-    readonly Option<string[]> m_clip = new("--clip")
-    {
-        HelpName = "x,y,z,X,Y,Z",
-        Description = "Draw only what is in the box between two corners, or in any of several (of "
-            + "converted clouds and octrees).",
-    };
-    readonly Option<string[]> m_cut = new("--cut")
-    {
-        HelpName = "x,y,z,X,Y,Z",
-        Description = "Leave out what is in the box.",
-    };
+    readonly ValueOption<string> m_size = new("--size", "WxH", "Pixels (default: 1280x720).", "1280x720");
+    readonly ValueOption<string?> m_eye = new("--eye", "x,y,z",
+        "Where the camera is, in the cloud's own coordinates; with --target and, if need be, --fov.");
+    readonly ValueOption<string?> m_target = new("--target", "x,y,z", "Where the camera looks.");
+    readonly ValueOption<double> m_fov = new("--fov", "DEG",
+        "Vertical field of view in degrees (default: 45).", PictureOptions.DefaultFovDegrees);
+    readonly ValueOption<string?> m_view = new("--view", "VIEW",
+        "top, bottom, front, back, left (or side), right or iso in place of a camera (default: what shows most).");
+    readonly ValueOption<string[]> m_clip = new("--clip", "x,y,z,X,Y,Z",
+        "Draw only what is in the box between two corners, or in any of several (of converted clouds and octrees).");
+    readonly ValueOption<string[]> m_cut = new("--cut", "x,y,z,X,Y,Z", "Leave out what is in the box.");
 
     readonly bool m_canFilter;
     readonly LookSettings m_look;
@@ -44,15 +21,8 @@ public sealed class PictureSettings
     {
         m_canFilter = canFilter;
         if (canFilter)
-        {
-            command.Add(m_clip);
-            command.Add(m_cut);
-        }
-        command.Add(m_size);
-        command.Add(m_eye);
-        command.Add(m_target);
-        command.Add(m_fov);
-        command.Add(m_view);
+            command.Add(m_clip, m_cut);
+        command.Add(m_size, m_eye, m_target, m_fov, m_view);
         m_look = new LookSettings(command);
     }
 

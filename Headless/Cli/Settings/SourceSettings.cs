@@ -2,34 +2,22 @@ namespace FastPoints.Cli.Settings;
 
 public sealed class SourceSettings
 {
-    readonly Option<string?> m_columns = new("--columns")
-    {
-        HelpName = "x,y,z,...",
-        Description = "What the columns of a text file are: x, y, z, i, r, g, b, nx, ny, nz or any "
-            + "other name; - leaves one out (default: by its header, or guessed; info says what was taken).",
-    };
+    readonly ValueOption<string?> m_columns = new("--columns", "x,y,z,...",
+        "What the columns of a text file are: x, y, z, i, r, g, b, nx, ny, nz or any other name; - leaves one out (default: "
+            + "by its header, or guessed; info says what was taken).");
 
-    readonly Option<string?> m_unit = new("--unit")
-    {
-        HelpName = "m|ft|us-ft|METRES",
-        Description = "What a unit of the coordinates is, whatever the files say: a name of PROJ's, or its length in metres. "
-            + "A converted cloud keeps it.",
-    };
-    readonly Option<string?> m_crs = new("--crs")
-    {
-        HelpName = "EPSG:N",
-        Description = "The coordinate system, whatever the files say: EPSG:2229, EPSG:2229+5703 with heights, WKT, or a PROJ "
-            + "string. Points are not moved.",
-    };
+    readonly ValueOption<string?> m_unit = new("--unit", "m|ft|us-ft|METRES",
+        "What a unit of the coordinates is, whatever the files say: a name of PROJ's, or its length in metres. A converted "
+            + "cloud keeps it.");
+    readonly ValueOption<string?> m_crs = new("--crs", "EPSG:N",
+        "The coordinate system, whatever the files say: EPSG:2229, EPSG:2229+5703 with heights, WKT, or a PROJ string. "
+            + "Points are not moved.");
 
-    readonly Option<bool> m_recursive = new("--recursive") { Description = "Look into the folders of a folder, too." };
+    readonly Flag m_recursive = new("--recursive", "Look into the folders of a folder, too.");
 
     public SourceSettings(Command command)
     {
-        command.Add(m_recursive);
-        command.Add(m_columns);
-        command.Add(m_unit);
-        command.Add(m_crs);
+        command.Add(m_recursive, m_columns, m_unit, m_crs);
     }
 
     public ReadOptions Read(ParseResult parsed)

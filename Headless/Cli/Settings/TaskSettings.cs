@@ -6,38 +6,21 @@ sealed class TaskSettings
     static readonly string[] s_variables = ["SLURM_ARRAY_TASK_ID", "JOB_COMPLETION_INDEX", "AWS_BATCH_JOB_ARRAY_INDEX"];
 
     readonly Argument<string> m_plan = new("PLAN.json") { Description = "What the verb plan made; an address as well." };
-    readonly Option<int?> m_task = new("--task")
-    {
-        HelpName = "N",
-        Description = "Number of the task, from 0 (default: what " + string.Join(", ", s_variables[..^1]) + " or "
-            + s_variables[^1] + " says).",
-    };
-    readonly Option<int> m_offset = new("--offset")
-    {
-        HelpName = "N",
-        Description = "Added to the number: of an array that was split.",
-    };
-    readonly Option<string?> m_memory = new("--memory")
-    {
-        HelpName = "SIZE",
-        Description = "Resident memory that the process may take (default: the plan's). What is stored is the same.",
-    };
-    readonly Option<string?> m_scratch = new("--scratch")
-    {
-        HelpName = "DIR",
-        Description = "Folder for temporary files, on a disk of this machine (default: the system's).",
-    };
+    readonly ValueOption<int?> m_task = new("--task", "N",
+        "Number of the task, from 0 (default: what " + string.Join(", ", s_variables[..^1]) + " or " + s_variables[^1] + " "
+            + "says).");
+    readonly ValueOption<int> m_offset = new("--offset", "N", "Added to the number: of an array that was split.");
+    readonly ValueOption<string?> m_memory = new("--memory", "SIZE",
+        "Resident memory that the process may take (default: the plan's). What is stored is the same.");
+    readonly ValueOption<string?> m_scratch = new("--scratch", "DIR",
+        "Folder for temporary files, on a disk of this machine (default: the system's).");
 
     public TaskSettings(Command command, bool isNumbered)
     {
         command.Add(m_plan);
         if (isNumbered)
-        {
-            command.Add(m_task);
-            command.Add(m_offset);
-        }
-        command.Add(m_memory);
-        command.Add(m_scratch);
+            command.Add(m_task, m_offset);
+        command.Add(m_memory, m_scratch);
     }
 
     public BuildPlan ReadPlan(ParseResult parsed, CliRun run)

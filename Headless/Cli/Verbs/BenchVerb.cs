@@ -11,35 +11,23 @@ public sealed class BenchVerb : Verb
         Description = "Workloads whose name contains this (default: all). --list names them. stability: "
             + "extremes of input through every stage, with error, time, memory and outcome.",
     };
-    readonly Option<string?> m_baseline = new("--baseline")
-    {
-        HelpName = "FILE",
-        Description = "An earlier run on this machine (its PerformanceTestResults.json, here or from Unity, or "
-            + "its --json summary): each workload's time is given by that run's, and marked where the difference is beyond "
-            + "the scatter of the samples.",
-    };
-    readonly Option<string> m_out = new("--output", "-o", "--out")
-    {
-        HelpName = "DIR",
-        Description = "Folder for report.html and PerformanceTestResults.json, in the format of Unity's "
-            + "Performance Testing package (default: ./bench-report/).",
-        DefaultValueFactory = _ => "bench-report",
-    };
+    readonly ValueOption<string?> m_baseline = new("--baseline", "FILE",
+        "An earlier run on this machine (its PerformanceTestResults.json, here or from Unity, or its --json summary): each "
+            + "workload's time is given by that run's, and marked where the difference is beyond the scatter of the samples.");
+    readonly ValueOption<string> m_out = new("--output", "DIR",
+        "Folder for report.html and PerformanceTestResults.json, in the format of Unity's Performance Testing package "
+            + "(default: ./bench-report/).", "bench-report")
+    { Aliases = { "-o", "--out" } };
     readonly Option<long> m_points = Counts.Of("--points", "Points that a made input has (default: 4,000,000).", 4_000_000);
     readonly Option<long> m_runs = Counts.Of("--runs",
         "Timed runs of each workload, interleaved (default: 7). The median counts.", 7);
-    readonly Option<bool> m_list = new("--list") { Description = "Name the workloads and run none." };
+    readonly Flag m_list = new("--list", "Name the workloads and run none.");
 
     public BenchVerb() : base(new Command("bench",
         "Run the benchmarks: median times, speeds, errors, garbage, and ratios to what bounds each "
             + "workload in the same run."))
     {
-        Command.Add(m_names);
-        Command.Add(m_baseline);
-        Command.Add(m_out);
-        Command.Add(m_points);
-        Command.Add(m_runs);
-        Command.Add(m_list);
+        Command.Add(m_names, m_baseline, m_out, m_points, m_runs, m_list);
     }
 
     public override IReadOnlyList<(string, string)> Examples =>

@@ -3,13 +3,10 @@ namespace FastPoints.Cli.Verbs;
 public sealed class BuildVerb : Verb
 {
     readonly TaskSettings m_task;
-    readonly Option<int?> m_bucket = new("--bucket")
-    {
-        HelpName = "[N]",
-        Arity = ArgumentArity.ZeroOrOne,
-        Description = "Sort some of the sources' points by the tasks that they belong to, where the plan has such tasks; before "
-            + "all others.",
-    };
+    readonly ValueOption<int?> m_bucket = new("--bucket", "[N]",
+        "Sort some of the sources' points by the tasks that they belong to, where the plan has such tasks; before all "
+            + "others.")
+    { Arity = ArgumentArity.ZeroOrOne };
 
     public BuildVerb() : base(new Command("build",
         "Build one of a plan's tasks: as often as it takes, anywhere, with the same outcome."))

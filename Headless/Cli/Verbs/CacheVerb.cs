@@ -2,7 +2,7 @@ namespace FastPoints.Cli.Verbs;
 
 public sealed class CacheVerb : Verb
 {
-    readonly Option<bool> m_clear = new("--clear") { Description = "Delete what is in it." };
+    readonly Flag m_clear = new("--clear", "Delete what is in it.");
 
     public CacheVerb() : base(new Command("cache", "Say what this user's cache of remote clouds holds, or clear it."))
     {

@@ -16,42 +16,22 @@ public sealed class ClusterVerb : Verb
         "Tasks of an array at most (default: 1001 of Slurm's MaxArraySize, 100,000 of Kubernetes, 10,000 of Batch).");
     readonly Option<long?> m_atOnce = Counts.Optional("--at-once",
         "Tasks of an array that run at once at most (Slurm, Kubernetes: 100).");
-    readonly Option<string?> m_queue = new("--queue")
-    {
-        HelpName = "NAME",
-        Description = "Slurm's partition, Batch's job queue.",
-    };
-    readonly Option<string?> m_image = new("--image")
-    {
-        HelpName = "NAME",
-        Description = "The container that has fastpoints, for Kubernetes and Batch.",
-    };
-    readonly Option<string?> m_volume = new("--volume")
-    {
-        HelpName = "NAME:PATH",
-        Description = "Where plan and store lie if they have no address: a claim of Kubernetes or a file system of EFS, and "
-            + "where tasks see it.",
-    };
-    readonly Option<string?> m_scratch = new("--scratch")
-    {
-        HelpName = "DIR",
-        Description = "A task's temporary files, on the node's own disk (default: Slurm: SLURM_TMPDIR, TMPDIR or /tmp; in a "
-            + "container /scratch).",
-    };
-    readonly Option<string?> m_program = new("--program")
-    {
-        HelpName = "PATH",
-        Description = "What is run there (default: Slurm: this program; in a container fastpoints).",
-    };
+    readonly ValueOption<string?> m_queue = new("--queue", "NAME", "Slurm's partition, Batch's job queue.");
+    readonly ValueOption<string?> m_image = new("--image", "NAME",
+        "The container that has fastpoints, for Kubernetes and Batch.");
+    readonly ValueOption<string?> m_volume = new("--volume", "NAME:PATH",
+        "Where plan and store lie if they have no address: a claim of Kubernetes or a file system of EFS, and where tasks "
+            + "see it.");
+    readonly ValueOption<string?> m_scratch = new("--scratch", "DIR",
+        "A task's temporary files, on the node's own disk (default: Slurm: SLURM_TMPDIR, TMPDIR or /tmp; in a container "
+            + "/scratch).");
+    readonly ValueOption<string?> m_program = new("--program", "PATH",
+        "What is run there (default: Slurm: this program; in a container fastpoints).");
 
     public ClusterVerb() : base(new Command("cluster", "Print a job script of Slurm or AWS Batch or a manifest of Kubernetes for "
         + "a plan: arrays of tasks, one stage behind the other, with memory, disk, time and retries. Read it, then submit it."))
     {
-        Command.Add(m_kind);
-        Command.Add(m_plan);
-        foreach (var option in new Option[] { m_cores, m_attempts, m_maxArray, m_atOnce, m_queue, m_image, m_volume, m_scratch,
-            m_program })
-            Command.Add(option);
+        Command.Add(m_kind, m_plan, m_cores, m_attempts, m_maxArray, m_atOnce, m_queue, m_image, m_volume, m_scratch, m_program);
     }
 
     public override IReadOnlyList<(string, string)> Examples =>

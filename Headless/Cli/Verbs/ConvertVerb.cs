@@ -2,50 +2,31 @@ namespace FastPoints.Cli.Verbs;
 
 public sealed class ConvertVerb : Verb
 {
-    readonly Argument<string[]> m_files = new("FILE")
-    {
-        Arity = ArgumentArity.OneOrMore,
-        Description = "Point clouds, or folders of them. Several become one cloud with the attributes of all.",
-    };
-    readonly Option<string?> m_output = new("--output", "-o")
-    {
-        HelpName = "NAME.fastpoints",
-        Description = "The folder to make; a cloud of the same files that is there is replaced when the new one is whole.",
-    };
-    readonly Option<bool> m_normals = new("--normals")
-    {
-        Description = "Also compute normals of the points from their 16 nearest neighbours: 2 bytes a point. A converted cloud "
-            + "gets them without -o.",
-    };
-    readonly Option<string?> m_memory = new("--memory")
-    {
-        HelpName = "SIZE",
-        Description = "Resident memory that the process may take, such as 300MiB or 4GiB (default: 1GiB). "
-            + "What does not fit goes to temporary files beside the target; 300MiB are enough for any "
-            + "cloud, and what is stored is the same.",
-    };
+    readonly Inputs m_files = new("FILE",
+        "Point clouds, or folders of them. Several become one cloud with the attributes of all.");
+    readonly ValueOption<string?> m_output = new("--output", "NAME.fastpoints",
+        "The folder to make; a cloud of the same files that is there is replaced when the new one is whole.")
+    { Aliases = { "-o" } };
+    readonly Flag m_normals = new("--normals",
+        "Also compute normals of the points from their 16 nearest neighbours: 2 bytes a point. A converted cloud gets them "
+            + "without -o.");
+    readonly ValueOption<string?> m_memory = new("--memory", "SIZE",
+        "Resident memory that the process may take, such as 300MiB or 4GiB (default: 1GiB). What does not fit goes to "
+            + "temporary files beside the target; 300MiB are enough for any cloud, and what is stored is the same.");
 
-    readonly Option<bool> m_report = new("--report")
-    {
-        Description = "Also build with every sampler and several spacings, and write their errors beside their times into "
-            + "NAME-samplers/: CSV, SVG and report.html.",
-    };
-    readonly Option<bool> m_discard = new("--discard")
-    {
-        Description = "Do not go on with a build that was stopped, and keep nothing of this one when it is.",
-    };
+    readonly Flag m_report = new("--report",
+        "Also build with every sampler and several spacings, and write their errors beside their times into NAME-samplers/: "
+            + "CSV, SVG and report.html.");
+    readonly Flag m_discard = new("--discard",
+        "Do not go on with a build that was stopped, and keep nothing of this one when it is.");
     readonly CloudSettings m_cloud;
 
     public ConvertVerb() : base(new Command("convert",
         "Build the octree that is streamed from: every point, every attribute, nothing rounded."))
     {
-        Command.Add(m_files);
-        Command.Add(m_output);
-        Command.Add(m_memory);
-        Command.Add(m_normals);
+        Command.Add(m_files, m_output, m_memory, m_normals);
         m_cloud = new CloudSettings(Command);
-        Command.Add(m_report);
-        Command.Add(m_discard);
+        Command.Add(m_report, m_discard);
     }
 
     public override IReadOnlyList<(string, string)> Examples =>

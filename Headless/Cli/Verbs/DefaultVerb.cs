@@ -8,26 +8,17 @@ public sealed class DefaultVerb : Verb
         Description = "Point clouds, folders of them, or converted clouds. Without one, "
             + "a street is scanned first (see demo-cloud), and goes again when its page is there.",
     };
-    readonly Option<bool> m_asOne = new("--as-one") { Description = "The files are tiles of one cloud: report on that." };
-    readonly Option<string?> m_out = new("--output", "-o", "--out")
-    {
-        HelpName = "DIR",
-        Description = "Where the report goes (default: ./NAME-report; with several files a folder for each, in DIR).",
-    };
+    readonly Flag m_asOne = new("--as-one", "The files are tiles of one cloud: report on that.");
+    readonly ValueOption<string?> m_out = new("--output", "DIR",
+        "Where the report goes (default: ./NAME-report; with several files a folder for each, in DIR).")
+    { Aliases = { "-o", "--out" } };
     readonly Option<long> m_points = Counts.Of("--points",
         "Points of the scan that is made without a FILE (default: 5,000,000).", DemoCloud.DefaultPoints);
-    readonly Option<uint> m_seed = new("--seed")
-    {
-        HelpName = "S",
-        Description = "Seed of that scan (default: 1).",
-        DefaultValueFactory = _ => 1,
-    };
+    readonly ValueOption<uint> m_seed = new("--seed", "S", "Seed of that scan (default: 1).", 1);
 
-    readonly Option<bool> m_keep = new("--keep") { Description = "Keep the scan that is made without a FILE, and its octree." };
-    readonly Option<bool> m_discard = new("--discard")
-    {
-        Description = "Do not go on with an octree that was stopped, and keep nothing of this one when it is.",
-    };
+    readonly Flag m_keep = new("--keep", "Keep the scan that is made without a FILE, and its octree.");
+    readonly Flag m_discard = new("--discard",
+        "Do not go on with an octree that was stopped, and keep nothing of this one when it is.");
     readonly LookSettings m_look;
     readonly SourceSettings m_source;
     const int DemoBytesOfPoint = 36 + 18; // 36 of the record, and what an octree takes of one.
@@ -36,13 +27,7 @@ public sealed class DefaultVerb : Verb
         "Point clouds: says what a file is, draws a sample of it at once, builds its octree and draws from that, and writes "
             + "a page with pictures, facts and times."))
     {
-        Command.Add(m_files);
-        Command.Add(m_asOne);
-        Command.Add(m_out);
-        Command.Add(m_points);
-        Command.Add(m_seed);
-        Command.Add(m_keep);
-        Command.Add(m_discard);
+        Command.Add(m_files, m_asOne, m_out, m_points, m_seed, m_keep, m_discard);
         m_look = new LookSettings(Command);
         m_source = new SourceSettings(Command);
     }

@@ -2,45 +2,25 @@ namespace FastPoints.Cli.Verbs;
 
 public sealed class DemoCloudVerb : Verb
 {
-    readonly Option<string> m_output = new("--output", "-o")
-    {
-        HelpName = "FILE",
-        Required = true,
-        Description = "What to write: .las or .laz (1.4, point format 7) or .ply (binary).",
-    };
+    readonly ValueOption<string> m_output = new("--output", "FILE",
+        "What to write: .las or .laz (1.4, point format 7) or .ply (binary).")
+    { Aliases = { "-o" }, Required = true };
     readonly Option<long> m_points = Counts.Of("--points", "Points, exactly (default: 5,000,000).", DemoCloud.DefaultPoints);
-    readonly Option<uint> m_seed = new("--seed")
-    {
-        HelpName = "S",
-        Description = "Another seed is another street; the same seed gives the same bytes, whatever "
-            + "the threads (default: 1).",
-        DefaultValueFactory = _ => 1,
-    };
-    readonly Option<string> m_order = new("--order")
-    {
-        HelpName = "ORDER",
-        Description = "strip: as acquired, station by station and line by line (default); tile: by tiles "
-            + "of 50 m; class: by class; random: shuffled. All but strip keep the points in memory: at most 32,000,000.",
-        DefaultValueFactory = _ => "strip",
-    };
-    readonly Option<string?> m_tile = new("--tile")
-    {
-        HelpName = "FILE",
-        Description = "In place of a scan, repeat this LAS or LAZ file's points side by side along x, shifted by whole grid "
-            + "steps; to .las, or from LAZ to .laz without decoding.",
-    };
-    readonly Option<int> m_times = new("--times") { HelpName = "N", Description = "How often, with --tile." };
+    readonly ValueOption<uint> m_seed = new("--seed", "S",
+        "Another seed is another street; the same seed gives the same bytes, whatever the threads (default: 1).", 1);
+    readonly ValueOption<string> m_order = new("--order", "ORDER",
+        "strip: as acquired, station by station and line by line (default); tile: by tiles of 50 m; class: by class; "
+            + "random: shuffled. All but strip keep the points in memory: at most 32,000,000.", "strip");
+    readonly ValueOption<string?> m_tile = new("--tile", "FILE",
+        "In place of a scan, repeat this LAS or LAZ file's points side by side along x, shifted by whole grid steps; to "
+            + ".las, or from LAZ to .laz without decoding.");
+    readonly ValueOption<int> m_times = new("--times", "N", "How often, with --tile.");
 
     public DemoCloudVerb() : base(
         new Command("demo-cloud", "Make a seeded terrestrial laser scan of a street (houses, trees, cars; "
         + "colour, intensity, classes, several returns; UTM-sized coordinates), or a larger file of a file."))
     {
-        Command.Add(m_output);
-        Command.Add(m_points);
-        Command.Add(m_seed);
-        Command.Add(m_order);
-        Command.Add(m_tile);
-        Command.Add(m_times);
+        Command.Add(m_output, m_points, m_seed, m_order, m_tile, m_times);
     }
 
     public override IReadOnlyList<(string, string)> Examples =>

@@ -3,34 +3,19 @@ namespace FastPoints.Cli.Verbs;
 public sealed class EditVerb : Verb
 {
     readonly Argument<string> m_cloud = new("CLOUD") { Description = "A converted cloud, NAME.fastpoints; it stays as it is." };
-    readonly Option<string[]> m_clip = new("--clip")
-    {
-        HelpName = "x,y,z,X,Y,Z",
-        Description = "Only points in the box between two corners in the cloud's coordinates, faces included, or in any of "
-            + "several.",
-    };
-    readonly Option<string[]> m_sphere = new("--sphere")
-    {
-        HelpName = "x,y,z,R",
-        Description = "Only points in the sphere, or in any of several.",
-    };
-    readonly Option<string?> m_lasso = new("--lasso")
-    {
-        HelpName = "x,y,z,...",
-        Description = "Only points that an eye, the first position, sees through the polygon of the others, at any depth.",
-    };
+    readonly ValueOption<string[]> m_clip = new("--clip", "x,y,z,X,Y,Z",
+        "Only points in the box between two corners in the cloud's coordinates, faces included, or in any of several.");
+    readonly ValueOption<string[]> m_sphere = new("--sphere", "x,y,z,R", "Only points in the sphere, or in any of several.");
+    readonly ValueOption<string?> m_lasso = new("--lasso", "x,y,z,...",
+        "Only points that an eye, the first position, sees through the polygon of the others, at any depth.");
     readonly FilterSettings m_filter;
-    readonly Option<bool> m_hide = new("--hide") { Description = "Do not show these points; export and convert keep them." };
-    readonly Option<bool> m_delete = new("--delete") { Description = "Leave these points out from now on." };
-    readonly Option<string?> m_classify = new("--classify") { HelpName = "N", Description = "Give them this class." };
-    readonly Option<string?> m_colour = new("--colour")
-    {
-        HelpName = "R,G,B",
-        Description = "Give them this colour, each of 0 to 255.",
-    };
-    readonly Option<bool> m_list = new("--list") { Description = "Say what was done." };
-    readonly Option<bool> m_undo = new("--undo") { Description = "Undo the last of what was done." };
-    readonly Option<bool> m_redo = new("--redo") { Description = "Do again what was undone last." };
+    readonly Flag m_hide = new("--hide", "Do not show these points; export and convert keep them.");
+    readonly Flag m_delete = new("--delete", "Leave these points out from now on.");
+    readonly ValueOption<string?> m_classify = new("--classify", "N", "Give them this class.");
+    readonly ValueOption<string?> m_colour = new("--colour", "R,G,B", "Give them this colour, each of 0 to 255.");
+    readonly Flag m_list = new("--list", "Say what was done.");
+    readonly Flag m_undo = new("--undo", "Undo the last of what was done.");
+    readonly Flag m_redo = new("--redo", "Do again what was undone last.");
     readonly List<Option> m_actions, m_choices;
 
     public EditVerb() : base(new Command("edit", "Hide, delete, classify or colour points of a converted cloud, and undo it: "
@@ -41,9 +26,7 @@ public sealed class EditVerb : Verb
         foreach (var action in m_actions)
             Command.Add(action);
         int before = Command.Options.Count;
-        Command.Add(m_clip);
-        Command.Add(m_sphere);
-        Command.Add(m_lasso);
+        Command.Add(m_clip, m_sphere, m_lasso);
         m_filter = new FilterSettings(Command);
         m_choices = [.. Command.Options.Skip(before)];
     }

@@ -2,67 +2,36 @@ namespace FastPoints.Cli.Verbs;
 
 public sealed class ExportVerb : Verb
 {
-    readonly Argument<string[]> m_clouds = new("CLOUD")
-    {
-        Arity = ArgumentArity.OneOrMore,
-        Description = "A converted cloud, or point clouds and folders of them, of which several become one file.",
-    };
-    readonly Option<string> m_output = new("--output", "-o")
-    {
-        HelpName = "OUT.las|.laz|.copc.laz|.ply",
-        Required = true,
-        Description = "The file to write. LAS and LAZ keep the point format, grid and records of a LAS source; COPC has "
-            + "point format 6, 7 or 8 and an octree of its own, by way of temporary files in OUT.copc.laz.octree.",
-    };
-    readonly Option<string[]> m_clip = new("--clip")
-    {
-        HelpName = "x,y,z,X,Y,Z",
-        Description = "Only points in the box between two corners in the file's coordinates, faces included, or in any of "
-            + "several.",
-    };
-    readonly Option<string[]> m_clipLocal = new("--clip-local")
-    {
-        HelpName = "x,y,z,X,Y,Z",
-        Description = "The same, counted from the least corner of the cloud's bounds.",
-    };
-    readonly Option<string[]> m_cut = new("--cut")
-    {
-        HelpName = "x,y,z,X,Y,Z",
-        Description = "No points in the box.",
-    };
+    readonly Inputs m_clouds = new("CLOUD",
+        "A converted cloud, or point clouds and folders of them, of which several become one file.");
+    readonly ValueOption<string> m_output = new("--output", "OUT.las|.laz|.copc.laz|.ply",
+        "The file to write. LAS and LAZ keep the point format, grid and records of a LAS source; COPC has point format 6, 7 "
+            + "or 8 and an octree of its own, by way of temporary files in OUT.copc.laz.octree.")
+    { Aliases = { "-o" }, Required = true };
+    readonly ValueOption<string[]> m_clip = new("--clip", "x,y,z,X,Y,Z",
+        "Only points in the box between two corners in the file's coordinates, faces included, or in any of several.");
+    readonly ValueOption<string[]> m_clipLocal = new("--clip-local", "x,y,z,X,Y,Z",
+        "The same, counted from the least corner of the cloud's bounds.");
+    readonly ValueOption<string[]> m_cut = new("--cut", "x,y,z,X,Y,Z", "No points in the box.");
     readonly Option<long?> m_level = Counts.Optional("--level",
         "Only the nodes of an octree up to this level, of which 0 is the root: the source's, or for .copc.laz "
         + "the file's.", min: 0);
     readonly Option<long?> m_budget = Counts.Optional("--budget",
         "At most so many points, spread over all: an octree's first levels, or an even share.");
-    readonly Option<string?> m_attributes = new("--attributes")
-    {
-        HelpName = "A,B,...",
-        Description = "Attributes to keep beside the position (default: all).",
-    };
-    readonly Option<string?> m_memory = new("--memory")
-    {
-        HelpName = "SIZE",
-        Description = "For .copc.laz: resident memory that the process may take, as of convert (default: 1GiB).",
-    };
-    readonly Option<bool> m_asStored = new("--as-stored") { Description = "Without the edits of a converted cloud." };
+    readonly ValueOption<string?> m_attributes = new("--attributes", "A,B,...",
+        "Attributes to keep beside the position (default: all).");
+    readonly ValueOption<string?> m_memory = new("--memory", "SIZE",
+        "For .copc.laz: resident memory that the process may take, as of convert (default: 1GiB).");
+    readonly Flag m_asStored = new("--as-stored", "Without the edits of a converted cloud.");
     readonly FilterSettings m_filter;
     readonly SourceSettings m_source;
 
     public ExportVerb()
         : base(new Command("export", "Points out again as LAS, LAZ, COPC or PLY: all of a cloud, or a part of it."))
     {
-        Command.Add(m_clouds);
-        Command.Add(m_output);
-        Command.Add(m_clip);
-        Command.Add(m_clipLocal);
-        Command.Add(m_cut);
+        Command.Add(m_clouds, m_output, m_clip, m_clipLocal, m_cut);
         m_filter = new FilterSettings(Command);
-        Command.Add(m_level);
-        Command.Add(m_budget);
-        Command.Add(m_attributes);
-        Command.Add(m_memory);
-        Command.Add(m_asStored);
+        Command.Add(m_level, m_budget, m_attributes, m_memory, m_asStored);
         m_source = new SourceSettings(Command);
     }
 

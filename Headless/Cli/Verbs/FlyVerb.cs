@@ -9,47 +9,33 @@ public sealed class FlyVerb : Verb
     const int DefaultFrames = 600;
     const int MaxFramesPerPicture = 3600; // An animation shows a picture for a minute at most: 65,535 ms.
 
-    readonly Argument<string[]> m_clouds = new("CLOUD")
-    {
-        Arity = ArgumentArity.OneOrMore,
-        Description = "Converted clouds, COPC, Potree or EPT as they are, previews of other files; all are "
-            + "flown over at once, where their coordinates put them.",
-    };
-    readonly Option<string?> m_path = new("--path")
-    {
-        HelpName = "FILE",
-        Description = "The camera's way, a line each: frame eyeX eyeY eyeZ targetX targetY targetZ [cut] "
-            + "(default: an overview, a dive, a way along the ground, a cut).",
-    };
+    readonly Inputs m_clouds = new("CLOUD",
+        "Converted clouds, COPC, Potree or EPT as they are, previews of other files; all are flown over at once, where "
+            + "their coordinates put them.");
+    readonly ValueOption<string?> m_path = new("--path", "FILE",
+        "The camera's way, a line each: frame eyeX eyeY eyeZ targetX targetY targetZ [cut] (default: an overview, a dive, a "
+            + "way along the ground, a cut).");
     readonly Option<long?> m_frames = Counts.Optional("--frames",
         "Frames, 60 a second (default: 600, or as many as the path has).");
-    readonly Option<bool> m_cpu = new("--cpu") { Description = "Draw in software (default)." };
-    readonly Option<bool> m_gpu =
-        new("--gpu") { Description = "Upload to a graphics card and draw there, by Vulkan; Mesa's lavapipe will do." };
-    readonly Option<string?> m_output = new("--output", "-o")
-    {
-        HelpName = "DIR|NAME.webp|NAME.png|NAME%04d.png",
-        Description = "Draw: an animation, or single pictures; a folder gets the smaller animation, last.png, frames.csv and "
-            + "report.html (the camera's way in 3D, and charts of each frame). "
-            + "Without it nothing is drawn. WebP takes the system's libwebp.",
-    };
+    readonly Flag m_cpu = new("--cpu", "Draw in software (default).");
+    readonly Flag m_gpu = new("--gpu", "Upload to a graphics card and draw there, by Vulkan; Mesa's lavapipe will do.");
+    readonly ValueOption<string?> m_output = new("--output", "DIR|NAME.webp|NAME.png|NAME%04d.png",
+        "Draw: an animation, or single pictures; a folder gets the smaller animation, last.png, frames.csv and report.html "
+            + "(the camera's way in 3D, and charts of each frame). Without it nothing is drawn. WebP takes the system's "
+            + "libwebp.")
+    { Aliases = { "-o" } };
     readonly Option<long> m_every = Counts.Of("--every", "Draw every Nth frame (default: 6, ten pictures a second).", 6);
     readonly Option<long> m_budget = Counts.Of("--budget", "Points of all clouds at once (default: 2,000,000).", 2_000_000);
     readonly Option<long> m_pool = Counts.Of("--pool",
         "Memory of what is resident (default: 256 MiB). A hard limit.", 256, "MIB");
     readonly Option<long> m_upload = Counts.Of("--upload",
         "Copied into it in one frame at most (default: 4096 KiB).", 4096, "KIB");
-    readonly Option<double> m_fade = new("--fade")
-    {
-        HelpName = "SECONDS",
-        Description = "How long a node takes to appear or to leave, point by point (default: 0.25; 0: at once).",
-        DefaultValueFactory = _ => StreamSettings.DefaultFadeSeconds,
-    };
-    readonly Option<bool> m_popping = new("--popping")
-    {
-        Description = "Measure popping, in software: each frame's picture against what the frame before drew, seen from the "
-            + "same camera, as FLIP. Frames then take longer, so that reads have more time.",
-    };
+    readonly ValueOption<double> m_fade = new("--fade", "SECONDS",
+        "How long a node takes to appear or to leave, point by point (default: 0.25; 0: at once).",
+        StreamSettings.DefaultFadeSeconds);
+    readonly Flag m_popping = new("--popping",
+        "Measure popping, in software: each frame's picture against what the frame before drew, seen from the same camera, "
+            + "as FLIP. Frames then take longer, so that reads have more time.");
     readonly Option<long> m_pointsPerFrame = Counts.Of("--points-per-frame",
         "With --gpu: pictures of more points take several, each with the visible points; --every 1 for as in a game.", 0);
     readonly PictureSettings m_picture;
@@ -57,19 +43,8 @@ public sealed class FlyVerb : Verb
     public FlyVerb() : base(new Command("fly", "Stream clouds along a camera path, 60 frames a second: what each frame "
         + "selected, read, copied and drew, and how long it took."))
     {
-        Command.Add(m_clouds);
-        Command.Add(m_path);
-        Command.Add(m_frames);
-        Command.Add(m_cpu);
-        Command.Add(m_gpu);
-        Command.Add(m_output);
-        Command.Add(m_every);
-        Command.Add(m_budget);
-        Command.Add(m_pool);
-        Command.Add(m_upload);
-        Command.Add(m_fade);
-        Command.Add(m_popping);
-        Command.Add(m_pointsPerFrame);
+        Command.Add(m_clouds, m_path, m_frames, m_cpu, m_gpu, m_output, m_every, m_budget, m_pool, m_upload, m_fade, m_popping,
+            m_pointsPerFrame);
         m_picture = new PictureSettings(Command, canFilter: true);
     }
 

@@ -2,26 +2,18 @@ namespace FastPoints.Cli.Verbs;
 
 public sealed class InfoVerb : Verb
 {
-    readonly Argument<string[]> m_files = new("FILE")
-    {
-        Arity = ArgumentArity.OneOrMore,
-        Description = "Point clouds, folders of them, or converted clouds.",
-    };
-    readonly Option<bool> m_scan = new("--scan")
-    {
-        Description = "Decode every point: how many there are, their bounds, each attribute's range and sum, "
-            + "where nearly all are, and how densely.",
-    };
+    readonly Inputs m_files = new("FILE", "Point clouds, folders of them, or converted clouds.");
+    readonly Flag m_scan = new("--scan",
+        "Decode every point: how many there are, their bounds, each attribute's range and sum, where nearly all are, and "
+            + "how densely.");
 
-    readonly Option<bool> m_asOne = new("--as-one") { Description = "The files are tiles of one cloud: say what that is." };
+    readonly Flag m_asOne = new("--as-one", "The files are tiles of one cloud: say what that is.");
     readonly SourceSettings m_source;
 
     public InfoVerb() : base(new Command("info", "Say what files are: format, version, count, bounds, attributes, coordinate "
         + "system, anomalies."))
     {
-        Command.Add(m_files);
-        Command.Add(m_scan);
-        Command.Add(m_asOne);
+        Command.Add(m_files, m_scan, m_asOne);
         m_source = new SourceSettings(Command);
     }
 

@@ -3,12 +3,9 @@ namespace FastPoints.Cli.Verbs;
 public sealed class MergeVerb : Verb
 {
     readonly TaskSettings m_task;
-    readonly Option<int> m_level = new("--level")
-    {
-        HelpName = "L",
-        Required = true,
-        Description = "Level of the merge, from 1; each needs all of the one before it, and the first one all builds.",
-    };
+    readonly ValueOption<int> m_level = new("--level", "L",
+        "Level of the merge, from 1; each needs all of the one before it, and the first one all builds.")
+    { Required = true };
 
     public MergeVerb() : base(new Command("merge", "Merge what tasks of a plan have left open to upper levels of the octree."))
     {

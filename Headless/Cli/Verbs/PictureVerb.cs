@@ -2,48 +2,30 @@ namespace FastPoints.Cli.Verbs;
 
 public sealed class PictureVerb : Verb
 {
-    readonly Argument<string[]> m_clouds = new("CLOUD")
-    {
-        Arity = ArgumentArity.OneOrMore,
-        Description = "A converted cloud; or point clouds, or folders of them: several are drawn as one. With "
-            + "--budget, COPC, Potree and EPT are drawn from their own octrees; so are converted clouds and these together.",
-    };
-    readonly Option<string> m_output =
-        new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
+    readonly Inputs m_clouds = new("CLOUD",
+        "A converted cloud; or point clouds, or folders of them: several are drawn as one. With --budget, COPC, Potree and "
+            + "EPT are drawn from their own octrees; so are converted clouds and these together.");
+    readonly ValueOption<string> m_output = new("--output", "P.png", "The picture.") { Aliases = { "-o" }, Required = true };
     readonly Option<long?> m_budget = Counts.Optional("--budget",
         "Draw at most so many points (default: every one of a file, 2,000,000 of a converted cloud).");
-    readonly Option<string?> m_against = new("--against")
-    {
-        HelpName = "Q.png",
-        Description = "Another picture of the same size: say how far the new one is from it "
-            + "(PSNR, SSIM, FLIP, uncovered pixels).",
-    };
-    readonly Option<string?> m_flipMap = new("--flip-map")
-    {
-        HelpName = "F.png",
-        Description = "With --against: a picture of where an eye sees the difference, by FLIP (67 pixels per degree); "
-            + "black for none, light for the largest.",
-    };
+    readonly ValueOption<string?> m_against = new("--against", "Q.png",
+        "Another picture of the same size: say how far the new one is from it (PSNR, SSIM, FLIP, uncovered pixels).");
+    readonly ValueOption<string?> m_flipMap = new("--flip-map", "F.png",
+        "With --against: a picture of where an eye sees the difference, by FLIP (67 pixels per degree); black for none, "
+            + "light for the largest.");
     readonly Option<long> m_samples = Counts.Of("--samples",
         "Draw so many samples along each edge of a pixel and average their light (default: 1, at most 4): with 4, smooth, "
         + "to compare others --against.", 1);
-    readonly Option<bool> m_gpu = new("--gpu")
-    {
-        Description = "Stream a converted cloud to a graphics card and draw it there, by Vulkan; Mesa's lavapipe will do.",
-    };
+    readonly Flag m_gpu = new("--gpu",
+        "Stream a converted cloud to a graphics card and draw it there, by Vulkan; Mesa's lavapipe will do.");
     readonly PictureSettings m_picture;
     readonly SourceSettings m_source;
 
     public PictureVerb() : base(new Command("picture", "Draw every point of a cloud with a camera of one's choice."))
     {
-        Command.Add(m_clouds);
-        Command.Add(m_output);
+        Command.Add(m_clouds, m_output);
         m_picture = new PictureSettings(Command, canFilter: true);
-        Command.Add(m_budget);
-        Command.Add(m_against);
-        Command.Add(m_flipMap);
-        Command.Add(m_samples);
-        Command.Add(m_gpu);
+        Command.Add(m_budget, m_against, m_flipMap, m_samples, m_gpu);
         m_source = new SourceSettings(Command);
     }
 

@@ -2,58 +2,30 @@ namespace FastPoints.Cli.Verbs;
 
 public sealed class PlanVerb : Verb
 {
-    readonly Argument<string[]> m_sources = new("SOURCE")
-    {
-        Arity = ArgumentArity.OneOrMore,
-        Description = "Point clouds as convert takes them; besides patterns (in quotes: 'tiles/*.laz') and @LIST, a file with a "
-            + "source a line.",
-    };
-    readonly Option<string> m_output = new("--output", "-o")
-    {
-        HelpName = "PLAN.json",
-        Required = true,
-        Description = "The plan to make; files for its tasks come into the folder PLAN.parts beside it.",
-    };
-    readonly Option<string> m_store = new(S3Addresses.StoreOption)
-    {
-        HelpName = "STORE",
-        Required = true,
-        Description = "Where the cloud comes to be: a folder that all machines see, or s3://bucket/prefix.",
-    };
+    readonly Inputs m_sources = new("SOURCE",
+        "Point clouds as convert takes them; besides patterns (in quotes: 'tiles/*.laz') and @LIST, a file with a source a "
+            + "line.");
+    readonly ValueOption<string> m_output = new("--output", "PLAN.json",
+        "The plan to make; files for its tasks come into the folder PLAN.parts beside it.")
+    { Aliases = { "-o" }, Required = true };
+    readonly ValueOption<string> m_store = new(S3Addresses.StoreOption, "STORE",
+        "Where the cloud comes to be: a folder that all machines see, or s3://bucket/prefix.")
+    { Required = true };
     readonly Option<long> m_taskPoints = Counts.Of("--task-points", "Points of a task, about (default: 50M).", 50_000_000);
-    readonly Option<string> m_memory = new("--memory")
-    {
-        HelpName = "SIZE",
-        Description = "Resident memory that a task may take, unless it is told otherwise (default: 1GiB).",
-        DefaultValueFactory = _ => "1GiB",
-    };
-    readonly Option<bool> m_buckets = new("--buckets")
-    {
-        Description = "Read each source once and sort its points by task first, even if it seems cheaper that tasks read all "
-            + "that overlaps them.",
-    };
-    readonly Option<bool> m_cells = new("--cells")
-    {
-        Description = "Have each task read all that overlaps it, even if that seems dearer than buckets.",
-    };
-    readonly Option<int?> m_divisors = new("--divisors")
-    {
-        HelpName = "1",
-        Description = "Take intensities and colours as they are, and not as the sample shows: as 8 bits in 16. For sources that "
-            + "a task refuses.",
-    };
+    readonly ValueOption<string> m_memory = new("--memory", "SIZE",
+        "Resident memory that a task may take, unless it is told otherwise (default: 1GiB).", "1GiB");
+    readonly Flag m_buckets = new("--buckets",
+        "Read each source once and sort its points by task first, even if it seems cheaper that tasks read all that "
+            + "overlaps them.");
+    readonly Flag m_cells = new("--cells", "Have each task read all that overlaps it, even if that seems dearer than buckets.");
+    readonly ValueOption<int?> m_divisors = new("--divisors", "1",
+        "Take intensities and colours as they are, and not as the sample shows: as 8 bits in 16. For sources that a task "
+            + "refuses.");
     readonly CloudSettings m_cloud;
 
     public PlanVerb() : base(new Command("plan", "Plan the build of a cloud by many machines, from headers and a sample."))
     {
-        Command.Add(m_sources);
-        Command.Add(m_output);
-        Command.Add(m_store);
-        Command.Add(m_taskPoints);
-        Command.Add(m_memory);
-        Command.Add(m_buckets);
-        Command.Add(m_cells);
-        Command.Add(m_divisors);
+        Command.Add(m_sources, m_output, m_store, m_taskPoints, m_memory, m_buckets, m_cells, m_divisors);
         m_cloud = new CloudSettings(Command);
     }
 

@@ -2,47 +2,26 @@ namespace FastPoints.Cli.Verbs;
 
 public sealed class PreviewVerb : Verb
 {
-    readonly Argument<string[]> m_files = new("FILE")
-    {
-        Arity = ArgumentArity.OneOrMore,
-        Description = "Point clouds, or folders of them; several are drawn as one.",
-    };
-    readonly Option<string> m_output =
-        new("--output", "-o") { HelpName = "P.png", Required = true, Description = "The picture." };
+    readonly Inputs m_files = new("FILE", "Point clouds, or folders of them; several are drawn as one.");
+    readonly ValueOption<string> m_output = new("--output", "P.png", "The picture.") { Aliases = { "-o" }, Required = true };
     readonly Option<long> m_points = Counts.Of("--points", "Points of the sample (default: 1,000,000).",
         new PreviewOptions().Points);
-    readonly Option<bool> m_exact = new("--exact")
-    {
-        Description = "Choose from a scan of all points, not from short runs of them: the reference.",
-    };
-    readonly Option<bool> m_quick = new("--quick")
-    {
-        Description = "Stop at the first N points. Of LAZ, text and several files, these are the "
-            + "prefixes of blocks: all of them are read in the end without this.",
-    };
-    readonly Option<bool> m_report = new("--report")
-    {
-        Description = "Measure the error over time, of this and of other ways to sample, against all "
-            + "points: distances, empty cells, evenness, pictures. Writes a page with charts, and a table. Reads "
-            + "the file some dozen times.",
-    };
-    readonly Option<string?> m_out = new("--report-output", "--out")
-    {
-        HelpName = "DIR",
-        Description = "Where --report goes (default: ./NAME-preview-report).",
-    };
+    readonly Flag m_exact = new("--exact", "Choose from a scan of all points, not from short runs of them: the reference.");
+    readonly Flag m_quick = new("--quick",
+        "Stop at the first N points. Of LAZ, text and several files, these are the prefixes of blocks: all of them are read "
+            + "in the end without this.");
+    readonly Flag m_report = new("--report",
+        "Measure the error over time, of this and of other ways to sample, against all points: distances, empty cells, "
+            + "evenness, pictures. Writes a page with charts, and a table. Reads the file some dozen times.");
+    readonly ValueOption<string?> m_out = new("--report-output", "DIR",
+        "Where --report goes (default: ./NAME-preview-report).")
+    { Aliases = { "--out" } };
     readonly PictureSettings m_picture;
     readonly SourceSettings m_source;
 
     public PreviewVerb() : base(new Command("preview", "Draw a fair sample of a file: little is read, whatever its size."))
     {
-        Command.Add(m_files);
-        Command.Add(m_output);
-        Command.Add(m_points);
-        Command.Add(m_exact);
-        Command.Add(m_quick);
-        Command.Add(m_report);
-        Command.Add(m_out);
+        Command.Add(m_files, m_output, m_points, m_exact, m_quick, m_report, m_out);
         m_picture = new PictureSettings(Command, canFilter: false);
         m_source = new SourceSettings(Command);
     }

@@ -9,21 +9,15 @@ public sealed class PublishVerb : Verb
         Description = "A converted cloud, or the address where it lies already.",
     };
 
-    readonly Option<bool> m_single = new("--single")
-    {
-        Description = "Make a cloud of one file beside its texts, for hosts that limit the number of files, and check that.",
-    };
-    readonly Option<string?> m_output = new("--output", "-o")
-    {
-        HelpName = "OUT.fastpoints",
-        Description = "The folder to make, with --single.",
-    };
+    readonly Flag m_single = new("--single",
+        "Make a cloud of one file beside its texts, for hosts that limit the number of files, and check that.");
+    readonly ValueOption<string?> m_output = new("--output", "OUT.fastpoints",
+        "The folder to make, with --single.")
+    { Aliases = { "-o" } };
 
     public PublishVerb() : base(new Command("publish", "Check that a web server can serve a converted cloud, or does."))
     {
-        Command.Add(m_cloud);
-        Command.Add(m_single);
-        Command.Add(m_output);
+        Command.Add(m_cloud, m_single, m_output);
     }
 
     public override IReadOnlyList<(string, string)> Examples =>

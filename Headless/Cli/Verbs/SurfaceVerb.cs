@@ -7,42 +7,23 @@ public sealed class SurfaceVerb : Verb
     const int CellVoxels = 80;
 
     readonly Argument<string> m_cloud = new("NAME.fastpoints") { Description = "A converted cloud." };
-    readonly Option<string> m_output = new("--output", "-o")
-    {
-        HelpName = "S.ply|.obj",
-        Required = true,
-        Description = "The file to write: thin sheets with two faces where the points are, in the cloud's coordinates, binary "
-            + "PLY or OBJ. All of it is kept in memory, some 100 bytes a triangle.",
-    };
-    readonly Option<double> m_voxel = new("--voxel")
-    {
-        HelpName = "METRES",
-        DefaultValueFactory = _ => 0.1,
-        Description = "Edge of a voxel: about the size of triangles, and how far points of one surface may be from one another.",
-    };
-    readonly Option<double?> m_hole = new("--hole")
-    {
-        HelpName = "METRES",
-        Description = "The widest holes to close, at most 8 voxels (default: 3 voxels).",
-    };
-    readonly Option<string[]> m_clip = new("--clip")
-    {
-        HelpName = "x,y,z,X,Y,Z",
-        Description = "Only points in the box between two corners in the cloud's coordinates, faces included, or in any of "
-            + "several.",
-    };
-    readonly Option<string[]> m_cut = new("--cut") { HelpName = "x,y,z,X,Y,Z", Description = "No points in the box." };
+    readonly ValueOption<string> m_output = new("--output", "S.ply|.obj",
+        "The file to write: thin sheets with two faces where the points are, in the cloud's coordinates, binary PLY or OBJ. "
+            + "All of it is kept in memory, some 100 bytes a triangle.")
+    { Aliases = { "-o" }, Required = true };
+    readonly ValueOption<double> m_voxel = new("--voxel", "METRES",
+        "Edge of a voxel: about the size of triangles, and how far points of one surface may be from one another.", 0.1);
+    readonly ValueOption<double?> m_hole = new("--hole", "METRES",
+        "The widest holes to close, at most 8 voxels (default: 3 voxels).");
+    readonly ValueOption<string[]> m_clip = new("--clip", "x,y,z,X,Y,Z",
+        "Only points in the box between two corners in the cloud's coordinates, faces included, or in any of several.");
+    readonly ValueOption<string[]> m_cut = new("--cut", "x,y,z,X,Y,Z", "No points in the box.");
     readonly FilterSettings m_filter;
 
     public SurfaceVerb() : base(new Command("surface",
         "A surface of a converted cloud's points as triangles: for physics, navigation and other programs."))
     {
-        Command.Add(m_cloud);
-        Command.Add(m_output);
-        Command.Add(m_voxel);
-        Command.Add(m_hole);
-        Command.Add(m_clip);
-        Command.Add(m_cut);
+        Command.Add(m_cloud, m_output, m_voxel, m_hole, m_clip, m_cut);
         m_filter = new FilterSettings(Command);
     }
 

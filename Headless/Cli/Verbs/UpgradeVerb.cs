@@ -8,18 +8,14 @@ public sealed class UpgradeVerb : Verb
     {
         Description = "A converted cloud of version " + OldHeader.Version + ".",
     };
-    readonly Option<string?> m_output = new("--output", "-o")
-    {
-        HelpName = "OTHER.fastpoints",
-        Description = "Another folder to make (default: the cloud is replaced when the new one is whole; both are on the disk "
-            + "until then).",
-    };
+    readonly ValueOption<string?> m_output = new("--output", "OTHER.fastpoints",
+        "Another folder to make (default: the cloud is replaced when the new one is whole; both are on the disk until then).")
+    { Aliases = { "-o" } };
 
     public UpgradeVerb() : base(new Command("upgrade",
         "Make a cloud that an older version converted one of this version: its points, without its sources."))
     {
-        Command.Add(m_cloud);
-        Command.Add(m_output);
+        Command.Add(m_cloud, m_output);
     }
 
     public override IReadOnlyList<(string, string)> Examples =>

@@ -3,22 +3,17 @@ namespace FastPoints.Cli.Verbs;
 public sealed class VerifyVerb : Verb
 {
     readonly Argument<string> m_cloud = new("NAME.fastpoints") { Description = "A converted cloud." };
-    readonly Option<string[]> m_against = new("--against")
-    {
-        HelpName = "FILE...",
-        Arity = ArgumentArity.OneOrMore,
-        AllowMultipleArgumentsPerToken = true,
-        Description = "The files (or their folder) that it was made from: the points are the same, position and every "
-            + "attribute, or it fails.",
-    };
+    readonly ValueOption<string[]> m_against = new("--against", "FILE...",
+        "The files (or their folder) that it was made from: the points are the same, position and every attribute, or it "
+            + "fails.")
+    { Arity = ArgumentArity.OneOrMore, AllowMultipleArgumentsPerToken = true };
 
     readonly SourceSettings m_source;
 
     public VerifyVerb() : base(new Command("verify",
         "Read every byte of a converted cloud: structure, hashes, each point in its cube, counts."))
     {
-        Command.Add(m_cloud);
-        Command.Add(m_against);
+        Command.Add(m_cloud, m_against);
         m_source = new SourceSettings(Command);
     }
 

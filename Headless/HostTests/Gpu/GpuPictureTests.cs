@@ -111,7 +111,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     public void Draw_SizesInTheWorld_MatchesTheSoftwareRasterizer(string size, bool isRound)
     {
         var options = Options(0, isRound);
-        Assert.That(options.TrySetStyle("size", size, out string error), Is.True, error);
+        Assert.That(options.SetStyle("size", size), Is.Null);
         using var streams = new TwinStreams(m_demo, options, Points / 2);
         var camera = streams.Plan.Camera;
         var center = streams.Ranges.Robust.Center;
@@ -128,7 +128,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     {
         var options = Options(0, isRound, ColorMode.Elevation);
         options.EdlStrength = 0.4f;
-        Assert.That(options.TrySetStyle("size", size, out string error), Is.True, error);
+        Assert.That(options.SetStyle("size", size), Is.Null);
         using var streams = new TwinStreams(m_demo, options, Points / 2, canCompute: canCompute);
         Compare(streams, streams.Plan.Camera, "edl-" + size);
         var center = streams.Ranges.Robust.Center;
@@ -149,7 +149,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     {
         var options = Options(0, true, ColorMode.Elevation);
         foreach (var (key, value) in new[] { ("size", size), ("points", points), ("light", "200,40,0.9"), ("holes", "fill") })
-            Assert.That(options.TrySetStyle(key, value, out string error), Is.True, error);
+            Assert.That(options.SetStyle(key, value), Is.Null);
         options.EdlStrength = edlStrength;
         using var streams = new TwinStreams(m_demo, options, Points, canCompute: canCompute);
         string name = "lit-" + size + points + edlStrength + canCompute;
@@ -171,7 +171,7 @@ public sealed class GpuPictureTests : GraphicsFixture
         string cloud = Convert(m_scratch.Demo(points: Points), "normals", "--normals");
         var options = Options(0, true, ColorMode.Elevation);
         foreach (var (key, value) in new[] { ("size", size), ("points", points), ("light", "200,40,0.9") })
-            Assert.That(options.TrySetStyle(key, value, out string error), Is.True, error);
+            Assert.That(options.SetStyle(key, value), Is.Null);
         using var streams = new TwinStreams(cloud, options, Points, canCompute: canCompute);
         string name = "normals-" + size + points + canCompute;
         Compare(streams, streams.Plan.Camera, name, 1, canCompute ? 0 : 50);
@@ -191,7 +191,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     {
         var options = Options(0, true, ColorMode.Elevation);
         foreach (var (key, value) in new[] { ("size", size), ("points", points), ("light", "200,20,1") })
-            Assert.That(options.TrySetStyle(key, value, out string error), Is.True, error);
+            Assert.That(options.SetStyle(key, value), Is.Null);
         using var lit = new TwinStreams(m_demo, options, Points);
         var camera = lit.Plan.Camera;
         var without = lit.Draw(camera).Cpu;
@@ -340,8 +340,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     {
         var options = Options();
         options.EdlStrength = edlStrength;
-        Assert.That(options.TrySetStyle("size", size, out string error) && options.TrySetStyle("points", "splat", out error),
-            error);
+        Assert.That(options.SetStyle("size", size) ?? options.SetStyle("points", "splat"), Is.Null);
         using var streams = new TwinStreams(m_demo, options, Points);
         string name = "splat-" + size.Replace(':', '-') + "-" + edlStrength;
         Compare(streams, streams.Plan.Camera, name, 1);
@@ -357,8 +356,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     {
         var options = Options(0);
         options.EdlStrength = edlStrength;
-        Assert.That(options.TrySetStyle("size", size, out string error) &&
-            options.TrySetStyle("points", "paraboloid", out error), Is.True, error);
+        Assert.That(options.SetStyle("size", size) ?? options.SetStyle("points", "paraboloid"), Is.Null);
         using var streams = new TwinStreams(m_demo, options, Points / 2);
         string name = "paraboloid-" + size + "-" + edlStrength;
         Compare(streams, streams.Plan.Camera, name);
@@ -400,7 +398,7 @@ public sealed class GpuPictureTests : GraphicsFixture
         var options = Options(3, true, mode);
         using var all = new TwinStreams(m_demo, options, Points);
         var everything = all.Draw(all.Plan.Camera).Gpu;
-        Assert.That(options.TrySetStyle("classes", "2+5", out string error), Is.True, error);
+        Assert.That(options.SetStyle("classes", "2+5"), Is.Null);
         using var streams = new TwinStreams(m_demo, options, Points);
         Compare(streams, streams.Plan.Camera, "classes-" + mode);
         var some = streams.Draw(streams.Plan.Camera).Gpu;
@@ -419,7 +417,7 @@ public sealed class GpuPictureTests : GraphicsFixture
     public void Draw_NodesFading_MatchesTheSoftwareRasterizer(string size, bool isRound, bool canCompute = true)
     {
         var options = Options(0, isRound);
-        Assert.That(options.TrySetStyle("size", size, out string error), Is.True, error);
+        Assert.That(options.SetStyle("size", size), Is.Null);
         using var streams = new TwinStreams(m_demo, options, Points, canCompute: canCompute);
         var camera = streams.Plan.Camera;
         int Covered(RgbaImage image) => Enumerable.Range(0, 320 * 180).Count(i => image[i % 320, i / 320] != options.Background);

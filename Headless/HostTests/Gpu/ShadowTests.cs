@@ -53,7 +53,7 @@ public sealed class ShadowTests : GraphicsFixture
             EdlStrength = 0,
             Shadows = hasShadows,
         };
-        Assert.That(options.TrySetStyle("light", light, out string error), Is.True, error);
+        Assert.That(options.SetStyle("light", light), Is.Null);
         return new TwinStreams(m_cloud, options, 1_000_000, placement =>
         {
             placement.OriginWorld += offset;

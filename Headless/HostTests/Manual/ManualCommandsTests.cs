@@ -65,7 +65,7 @@ public sealed class ManualCommandsTests
         foreach (string pair in style.Split(',').Where(p => !p.Contains("...", StringComparison.Ordinal)))
         {
             string[] parts = pair.Split('=');
-            if (!new PictureOptions().TrySetStyle(parts[0], parts[^1], out string error))
+            if (new PictureOptions().SetStyle(parts[0], parts[^1]) is { } error)
                 yield return pair + ": " + error;
         }
     }

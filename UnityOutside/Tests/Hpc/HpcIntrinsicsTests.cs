@@ -7,72 +7,8 @@ namespace UnityOutside.Tests.Hpc;
 [TestFixture(OptimizationLevel.Release)]
 public sealed class HpcIntrinsicsTests(OptimizationLevel level)
 {
-    private const string Planted = """
-        using Unity.Burst;
-        using static Unity.Burst.Intrinsics.X86;
-        using static Unity.Burst.Intrinsics.Arm;
-
-        [BurstCompile]
-        static class Planted
-        {
-            static bool IsFast => Avx2.IsAvx2Supported;
-            static int Unguarded(int a) => Avx2.add(a, 1);
-            static void Change(ref bool isFast) => isFast = true;
-
-            static int Guarded(int a)
-            {
-                if (Avx2.IsAvx2Supported)
-                    return Avx2.add(a, 1);
-                return a;
-            }
-
-            [BurstCompile]
-            static int Run(int count)
-            {
-                int sum = 0;
-                //CODE
-                return sum;
-            }
-        }
-
-        namespace Unity.Burst.Intrinsics
-        {
-            static class X86
-            {
-                internal static class Sse { internal static int SHUFFLE(int a, int b) => a << 2 | b; }
-                internal static class Sse2 { internal static int add(int a, int b) => a + b; }
-                internal static class Sse4_1
-                {
-                    internal static bool IsSse41Supported => false;
-                    internal static int add(int a, int b) => a + b;
-                }
-                internal static class Popcnt { internal static int popcnt(int a) => a; }
-                internal static class Avx
-                {
-                    internal static bool IsAvxSupported => false;
-                    internal static int add(int a, int b) => a + b;
-                }
-                internal static class Avx2
-                {
-                    internal static bool IsAvx2Supported => false;
-                    internal static int add(int a, int b) => a + b;
-                }
-                internal static class Fma { internal static int add(int a, int b) => a + b; }
-                internal static class Bmi2 { internal static int add(int a, int b) => a + b; }
-            }
-
-            static class Arm
-            {
-                internal static class Neon
-                {
-                    internal static bool IsNeonSupported => false;
-                    internal static bool IsNeonDotProdSupported => false;
-                    internal static int vadd_s32(int a, int b) => a + b;
-                    internal static int vdot_s32(int a, int b) => a * b;
-                }
-            }
-        }
-        """;
+    private static readonly string s_planted =
+        File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "Hpc", "PlantedIntrinsics.txt"));
 
     [TestCase("if (Avx2.IsAvx2Supported) sum = Avx2.add(count, 1);")]
     [TestCase("if (Avx2.IsAvx2Supported) for (; count > 0; count--) sum = Avx2.add(sum, count);")]
@@ -121,7 +57,7 @@ public sealed class HpcIntrinsicsTests(OptimizationLevel level)
 
     private IReadOnlyCollection<string> Problems(string code)
     {
-        var tree = CSharpSyntaxTree.ParseText(Planted.Replace("//CODE", code, StringComparison.Ordinal));
+        var tree = CSharpSyntaxTree.ParseText(s_planted.Replace("//CODE", code, StringComparison.Ordinal));
         var references = new[] { typeof(object), typeof(BurstCompileAttribute) }
             .Select(t => MetadataReference.CreateFromFile(t.Assembly.Location))
             .Append(MetadataReference.CreateFromFile(System.Reflection.Assembly.Load("System.Runtime").Location));

@@ -1,6 +1,4 @@
-using System;
 using System.Collections.Generic;
-using System.Globalization;
 using FastPoints.Drawing;
 using FastPoints.Streaming;
 
@@ -75,7 +73,7 @@ namespace FastPoints.Picture
         /// <summary>The strength for a mode that is not <see cref="ColorMode.Auto"/>.</summary>
         public float EdlFor(ColorMode mode) => EdlStrength >= 0 ? EdlStrength : mode == ColorMode.Rgb ? 0 : DefaultEdlStrength;
 
-        const float DefaultLitFraction = 0.7f;
+        internal const float DefaultLitFraction = 0.7f;
 
         /// <summary>The share of the points' colours that is lit, 0 to 1; negative for none where they are the scanner's, or show
         /// an amount by grey, and 0.7 where clouds without colours show elevation or classes.</summary>
@@ -112,166 +110,6 @@ namespace FastPoints.Picture
             if (ColorAttribute != null)
                 ranges.ValueAttribute = ColorAttribute;
             return ranges;
-        }
-
-        /// <summary>Keys that <see cref="TrySetStyle"/> takes, for a help text.</summary>
-        public const string StyleHelp =
-            "color=auto|rgb|elevation|intensity|classification|returnnumber|pointsource or an attribute's name, " +
-            "gradient=auto|viridis|turbo|gray, size=auto|PIXELS|LENGTHu|adaptive[:GAPS], " +
-            "points=square|round|paraboloid|splat (the last of converted clouds), " +
-            "classes=N+N+... (shown; of converted clouds), edl=auto|on|off|STRENGTH, " +
-            "light=auto|on|off|AZIMUTH,ELEVATION[,SHARE], shadows=on|off, holes=fill|keep, " +
-            "background=RRGGBB[AA], up=x|y|z|-x|-y|-z";
-
-        /// <summary>Sets one option from text, as for <c>--style</c>; the error says what was expected.</summary>
-        public bool TrySetStyle(string key, string value, out string error)
-        {
-            error = null;
-            float number;
-            switch (key)
-            {
-                case "color":
-                    ColorAttribute = null;
-                    if (TryName(value, out Color, ref error) || value.Length == 0 || !char.IsLetter(value[0]))
-                        return error == null;
-                    (Color, ColorAttribute, error) = (ColorMode.Intensity, value, null);
-                    ColorRamp = ColorRamp == ColorRamp.Auto ? ColorRamp.Viridis : ColorRamp;
-                    return true;
-                case "gradient":
-                    return TryName(value, out ColorRamp, ref error);
-                case "up":
-                    GuessesUpAxis = false;
-                    if (TryName(value.StartsWith("-") ? "Negative" + value.Substring(1) : value, out UpAxis, ref error))
-                        return true;
-                    error = "wanted x, y, z, -x, -y or -z, got " + value;
-                    return false;
-                case "size":
-                    if (!TrySize(value))
-                        error = "size: wanted auto, 1 to " + NumberText.Of(PointDrawing.MaxSizePx) +
-                            " pixels, a length in units of the coordinates as in 0.05u, or adaptive, with distances " +
-                            "between points as in adaptive:1.2; got " + value;
-                    break;
-                case "points":
-                    if (value != "square" && value != "round" && value != "paraboloid" && value != "splat")
-                        error = "points: wanted square, round, paraboloid or splat, got " + value;
-                    RoundPoints = value == "round" || value == "splat";
-                    BlendedPoints = value == "splat";
-                    ParaboloidPoints = value == "paraboloid";
-                    break;
-                case "classes":
-                    if (!TryClasses(value))
-                        error = "classes: wanted numbers from 0 to 255 as in 2+6, got " + value;
-                    break;
-                case "edl":
-                    if (value == "auto" || value == "on" || value == "off")
-                        EdlStrength = value == "auto" ? -1 : value == "on" ? DefaultEdlStrength : 0;
-                    else if (TryNumber(value, 0, 100, out number))
-                        EdlStrength = number;
-                    else
-                        error = "edl: wanted auto, on, off or a strength, got " + value;
-                    break;
-                case "light":
-                    if (!TryLight(value))
-                        error = "light: wanted auto, on, off, or degrees from north and above the horizon and perhaps a " +
-                            "share, as in 315,45,0.7; got " + value;
-                    break;
-                case "shadows":
-                    if (value != "on" && value != "off")
-                        error = "shadows: wanted on or off, got " + value;
-                    Shadows = value == "on";
-                    break;
-                case "holes":
-                    if (value != "fill" && value != "keep")
-                        error = "holes: wanted fill or keep, got " + value;
-                    FillsHoles = value == "fill";
-                    break;
-                case "background":
-                    if (!TryColor(value, out Background))
-                        error = "background: wanted RRGGBB or RRGGBBAA in hexadecimal, got " + value;
-                    break;
-                default:
-                    error = "no such style: " + key + "; there are " + StyleHelp;
-                    break;
-            }
-            return error == null;
-        }
-
-        static bool TryName<T>(string text, out T value, ref string error) where T : struct, Enum
-        {
-            if (text.Length > 0 && char.IsLetter(text[0]) && Enum.TryParse(text, true, out value))
-                return true;
-            value = default;
-            error = "wanted " + string.Join(", ", Enum.GetNames(typeof(T))).ToLowerInvariant() + ", got " + text;
-            return false;
-        }
-
-        static bool TryNumber(string text, float min, float max, out float value)
-        {
-            bool isNumber = NumberText.TryRead(text, out double number);
-            value = (float)number;
-            return isNumber && value >= min && value <= max;
-        }
-
-        bool TrySize(string value)
-        {
-            const string adaptive = "adaptive", ofGaps = adaptive + ":";
-            float number = 0;
-            PointSize? inWorld = null;
-            if (value == adaptive)
-                inWorld = PointSize.Adaptive();
-            else if (value.StartsWith(ofGaps, StringComparison.Ordinal) &&
-                TryNumber(value.Substring(ofGaps.Length), 0.01f, 100, out number))
-                inWorld = PointSize.Adaptive(number);
-            else if (value.EndsWith("u", StringComparison.Ordinal) &&
-                TryNumber(value.Substring(0, value.Length - 1), float.Epsilon, float.MaxValue, out number))
-                inWorld = PointSize.World(number);
-            else if (value != "auto" && !TryNumber(value, 1, PointDrawing.MaxSizePx, out number))
-                return false;
-            SizeInWorld = inWorld;
-            PointSizePx = inWorld.HasValue ? 0 : number;
-            return true;
-        }
-
-        bool TryLight(string value)
-        {
-            LightAzimuth = double.NaN;
-            LightElevation = 45;
-            LitFraction = value == "auto" ? -1 : value == "off" ? 0 : DefaultLitFraction;
-            if (value == "auto" || value == "off" || value == "on")
-                return true;
-            var parts = value.Split(',');
-            if (parts.Length < 2 || parts.Length > 3 || !TryNumber(parts[0], -360, 360, out float azimuth) ||
-                !TryNumber(parts[1], -90, 90, out float elevation))
-                return false;
-            LightAzimuth = azimuth;
-            LightElevation = elevation;
-            return parts.Length == 2 || TryNumber(parts[2], 0, 1, out LitFraction);
-        }
-
-        bool TryClasses(string value)
-        {
-            var shown = new ClassMask();
-            foreach (string part in value.Split('+'))
-            {
-                if (!byte.TryParse(part, NumberStyles.None, CultureInfo.InvariantCulture, out byte c))
-                    return false;
-                shown.Add(c);
-            }
-            HiddenClasses = shown.Inverse;
-            return true;
-        }
-
-        static bool TryColor(string text, out uint color)
-        {
-            string hex = text.TrimStart('#');
-            color = 0;
-            if (hex.Length == 6)
-                hex += "FF";
-            if (hex.Length != 8 || !uint.TryParse(hex, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture,
-                out uint value))
-                return false;
-            color = Palettes.Pack((byte)(value >> 24), (byte)(value >> 16), (byte)(value >> 8), (byte)value);
-            return true;
         }
     }
 

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.IO;
 using System.IO.Compression;
 using System.Text;
-using FastPoints.Store;
 
 namespace FastPoints.Reading
 {

@@ -129,9 +129,7 @@ namespace FastPoints.Sampling
             {
                 Columns = batch.Bytes,
                 Decoded = decoded,
-                X = batch.Column(batch.Schema.IndexOf(AttributeNames.X)),
-                Y = batch.Column(batch.Schema.IndexOf(AttributeNames.Y)),
-                Z = batch.Column(batch.Schema.IndexOf(AttributeNames.Z)),
+                Positions = PositionColumns.Of(batch),
                 First = first,
                 Stored = stored,
             }.Schedule(after);
@@ -214,9 +212,7 @@ namespace FastPoints.Sampling
     {
         [ReadOnly] public NativeArray<byte> Columns;
         [ReadOnly] public NativeReference<DecodeResult> Decoded;
-        public PointColumn X;
-        public PointColumn Y;
-        public PointColumn Z;
+        public PositionColumns Positions;
 
         public int First;
         public NativeArray<double3> Stored;
@@ -226,11 +222,8 @@ namespace FastPoints.Sampling
             var bytes = (byte*)Columns.GetUnsafeReadOnlyPtr();
             int count = math.min(Decoded.Value.Points - First, Stored.Length);
             for (int i = 0; i < count; i++)
-                Stored[i] = new double3(Load(bytes, X, First + i), Load(bytes, Y, First + i), Load(bytes, Z, First + i));
+                Stored[i] = Positions.StoredAt(bytes, First + i);
         }
-
-        static double Load(byte* bytes, PointColumn column, int index) =>
-            ColumnValues.ToDouble(bytes + column.OffsetBytes, column.Type, index);
     }
 
     /// <summary>Where the points of many tiles are by their headers: of a country's tiles a sample sees few.</summary>

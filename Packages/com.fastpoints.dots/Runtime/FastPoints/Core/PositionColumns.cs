@@ -30,12 +30,15 @@ namespace FastPoints
             ColumnValues.ToDoubles(bytes + Z.OffsetBytes, Z.Type, first, count, z);
         }
 
-        public unsafe double3 GeoAt(byte* bytes, in PositionTransform transform, int index)
+        public unsafe double3 StoredAt(byte* bytes, int index)
         {
             double3 stored;
             Load(bytes, index, 1, &stored.x, &stored.y, &stored.z);
-            return transform.ToGeo(stored);
+            return stored;
         }
+
+        public unsafe double3 GeoAt(byte* bytes, in PositionTransform transform, int index) =>
+            transform.ToGeo(StoredAt(bytes, index));
     }
 
     /// <summary>Maps a file's numbers to georeferenced positions: geo = stored * Scale + Offset, in CRS units.</summary>

@@ -275,7 +275,6 @@ namespace FastPoints.Store
             public JobHandle Schedule(int number, NativeArray<byte> bytes, JobHandle inputDeps)
             {
                 var segment = Segments[number];
-                var schema = m_batch.Schema;
                 m_isDamaged[number] = new NativeArray<bool>(segment.NodeCount, Allocator.Persistent);
                 return new DecodeNodesJob
                 {
@@ -287,9 +286,7 @@ namespace FastPoints.Store
                     Shapes = m_shapes,
                     Columns = m_columns,
                     Targets = m_targets,
-                    X = m_batch.Column(schema.IndexOf(AttributeNames.X)),
-                    Y = m_batch.Column(schema.IndexOf(AttributeNames.Y)),
-                    Z = m_batch.Column(schema.IndexOf(AttributeNames.Z)),
+                    Positions = PositionColumns.Of(m_batch),
                     Batch = m_batch.Bytes,
                     IsDamaged = m_isDamaged[number],
                 }.Schedule(segment.NodeCount, 1, inputDeps);
@@ -358,9 +355,7 @@ namespace FastPoints.Store
 
         /// <summary>Where the values of each column of the wanted planes go in the batch.</summary>
         [ReadOnly] public NativeArray<PointColumn> Targets;
-        public PointColumn X;
-        public PointColumn Y;
-        public PointColumn Z;
+        public PositionColumns Positions;
 
         /// <summary>The batch; each node has its own part of every column.</summary>
         [NativeDisableParallelForRestriction] public NativeArray<byte> Batch;
@@ -405,7 +400,8 @@ namespace FastPoints.Store
             ulong* values = stackalloc ulong[PlaneShape.MaxPointsPerBlock];
             for (int axis = 0; axis < 3; axis++)
             {
-                var to = (double*)(batch + (axis == 0 ? X : axis == 1 ? Y : Z).OffsetBytes) + node.FirstPoint;
+                var column = axis == 0 ? Positions.X : axis == 1 ? Positions.Y : Positions.Z;
+                var to = (double*)column.At(batch, node.FirstPoint);
                 long corner = axis == 0 ? node.Corner.X : axis == 1 ? node.Corner.Y : node.Corner.Z;
                 for (int b = node.FirstBlock; b < node.FirstBlock + node.BlockCount; b++)
                 {

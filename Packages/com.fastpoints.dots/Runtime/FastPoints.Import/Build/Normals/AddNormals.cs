@@ -286,9 +286,7 @@ namespace FastPoints.Build
         public int First;
         public int End;
         [ReadOnly] public NativeArray<byte> Batch;
-        public PointColumn X;
-        public PointColumn Y;
-        public PointColumn Z;
+        public PositionColumns Positions;
         public PointColumn Scan; // The number of a point's scan, from 1; not read if there is one.
         [ReadOnly] public NativeArray<double3> Scanners; // By scan: in the batch's coordinates.
 
@@ -299,9 +297,7 @@ namespace FastPoints.Build
             NativeArray<ushort> normals) => new OrientNormalsJob
             {
                 Batch = batch.Bytes,
-                X = batch.Column(batch.Schema.IndexOf(AttributeNames.X)),
-                Y = batch.Column(batch.Schema.IndexOf(AttributeNames.Y)),
-                Z = batch.Column(batch.Schema.IndexOf(AttributeNames.Z)),
+                Positions = PositionColumns.Of(batch),
                 Scan = scanners.Length > 1 ? batch.Column(batch.Schema.IndexOf(AttributeNames.PointSourceId)) : default,
                 Scanners = scanners,
                 MetresPerStep = metres,
@@ -325,7 +321,8 @@ namespace FastPoints.Build
                 double scan = Scanners.Length == 1 ? 1 : ColumnValues.ToDouble(bytes + Scan.OffsetBytes, Scan.Type, i);
                 if (!(scan >= 1 && scan <= Scanners.Length))
                     continue;
-                var p = new double3(*(double*)X.At(bytes, i), *(double*)Y.At(bytes, i), *(double*)Z.At(bytes, i));
+                var p = new double3(*(double*)Positions.X.At(bytes, i), *(double*)Positions.Y.At(bytes, i),
+                    *(double*)Positions.Z.At(bytes, i));
                 if (math.dot((Scanners[(int)scan - 1] - p) * MetresPerStep, OctahedralNormal.Decode(normal)) < 0)
                     Normals[i] = OctahedralNormal.Opposite(normal);
             }

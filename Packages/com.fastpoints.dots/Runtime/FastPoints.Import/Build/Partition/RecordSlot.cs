@@ -72,9 +72,7 @@ namespace FastPoints.Build
                 SliceTimes = Slices,
                 Columns = batch.Bytes,
                 Decoded = result,
-                X = batch.Column(batch.Schema.IndexOf(AttributeNames.X)),
-                Y = batch.Column(batch.Schema.IndexOf(AttributeNames.Y)),
-                Z = batch.Column(batch.Schema.IndexOf(AttributeNames.Z)),
+                Positions = PositionColumns.Of(batch),
                 Fields = m_fields,
                 Grid = grid,
                 Layout = m_layout,
@@ -129,9 +127,7 @@ namespace FastPoints.Build
 
         [ReadOnly] public NativeArray<byte> Columns;
         [ReadOnly] public NativeReference<DecodeResult> Decoded;
-        public PointColumn X;
-        public PointColumn Y;
-        public PointColumn Z;
+        public PositionColumns Positions;
         [ReadOnly] public NativeArray<RecordField> Fields;
         public SourceGrid Grid;
         public RecordLayout Layout;
@@ -304,9 +300,10 @@ namespace FastPoints.Build
 
         void LoadOffsets(byte* bytes, int first, int count, uint* offsets)
         {
-            SourceGrid.ToOffsets(Grid.X, X.At(bytes, first), X.Type, count, Layout.Base.X, offsets);
-            SourceGrid.ToOffsets(Grid.Y, Y.At(bytes, first), Y.Type, count, Layout.Base.Y, offsets + BatchPoints);
-            SourceGrid.ToOffsets(Grid.Z, Z.At(bytes, first), Z.Type, count, Layout.Base.Z, offsets + 2 * BatchPoints);
+            var (stored, origin) = (Positions, Layout.Base);
+            SourceGrid.ToOffsets(Grid.X, stored.X.At(bytes, first), stored.X.Type, count, origin.X, offsets);
+            SourceGrid.ToOffsets(Grid.Y, stored.Y.At(bytes, first), stored.Y.Type, count, origin.Y, offsets + BatchPoints);
+            SourceGrid.ToOffsets(Grid.Z, stored.Z.At(bytes, first), stored.Z.Type, count, origin.Z, offsets + 2 * BatchPoints);
         }
 
         /// <summary>Copies records to their indices.</summary>
@@ -324,11 +321,12 @@ namespace FastPoints.Build
             return sum;
         }
 
-        void LoadBatch(byte* bytes, int first, int count, long* positions, ref double maxRoundingSteps)
+        void LoadBatch(byte* bytes, int first, int count, long* positions, ref double loss)
         {
-            SourceGrid.ToGrid(Grid.X, X.At(bytes, first), X.Type, count, positions, ref maxRoundingSteps);
-            SourceGrid.ToGrid(Grid.Y, Y.At(bytes, first), Y.Type, count, positions + BatchPoints, ref maxRoundingSteps);
-            SourceGrid.ToGrid(Grid.Z, Z.At(bytes, first), Z.Type, count, positions + 2 * BatchPoints, ref maxRoundingSteps);
+            var stored = Positions;
+            SourceGrid.ToGrid(Grid.X, stored.X.At(bytes, first), stored.X.Type, count, positions, ref loss);
+            SourceGrid.ToGrid(Grid.Y, stored.Y.At(bytes, first), stored.Y.Type, count, positions + BatchPoints, ref loss);
+            SourceGrid.ToGrid(Grid.Z, stored.Z.At(bytes, first), stored.Z.Type, count, positions + 2 * BatchPoints, ref loss);
         }
 
         static void CopyColumn(byte* from, int size, int count, byte* to, int stride)

@@ -75,9 +75,7 @@ namespace FastPoints.Laz
             uint value = stream->Value, length = stream->Length;
             byte* next = stream->Next;
             int difference = Decode(model, bits, contexts, context, out _, ref value, ref length, ref next);
-            stream->Value = value;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(value, length, next);
             return difference;
         }
 
@@ -119,9 +117,7 @@ namespace FastPoints.Laz
             uint low = stream->Value, length = stream->Length;
             byte* next = stream->Next;
             Encode(model, bits, contexts, context, difference, out _, ref low, ref length, ref next);
-            stream->Value = low;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(low, length, next);
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace FastPoints.Laz
 {
     /// <summary>A range-coded stream between two slices of its decoding. Within a slice the pointers are valid; only
@@ -38,11 +40,15 @@ namespace FastPoints.Laz
             RangeCoder.Start(out Value, out Length, ref Next);
         }
 
-        public void StartWriting(byte* first)
+        public void StartWriting(byte* first) => Save(0, uint.MaxValue, first);
+
+        // Of a coder's locals, which stay in registers because nothing refers to them.
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Save(uint value, uint length, byte* next)
         {
-            Next = first;
-            Value = 0;
-            Length = uint.MaxValue;
+            Value = value;
+            Length = length;
+            Next = next;
         }
 
         public void Resume(byte* input, byte* end)

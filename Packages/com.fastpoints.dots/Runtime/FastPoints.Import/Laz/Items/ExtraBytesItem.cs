@@ -33,9 +33,7 @@ namespace FastPoints.Laz
                 record[i] = state[i];
                 model += SymbolModel.Bytes256;
             }
-            stream->Value = value;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(value, length, next);
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
@@ -49,9 +47,7 @@ namespace FastPoints.Laz
                 SymbolModel.Encode(model, 256, (uint)(record[i] - state[i] & 255), ref low, ref length, ref next);
                 state[i] = record[i];
             }
-            stream->Value = low;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(low, length, next);
         }
 
         public static int StateBytesV1(int bytes) => ModelsOffset(bytes) + IntegerModel.BytesOf(8, bytes);

@@ -137,9 +137,7 @@ namespace FastPoints.Laz
             }
 
             state->m_sequence = sequence;
-            stream->Value = value;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(value, length, next);
             return state->m_last[sequence];
         }
 
@@ -169,9 +167,7 @@ namespace FastPoints.Laz
                     state->m_difference[sequence] = 0;
                     state->m_extremes[sequence] = 0;
                     state->m_sequence = sequence;
-                    stream->Value = low;
-                    stream->Length = length;
-                    stream->Next = next;
+                    stream->Save(low, length, next);
                     return;
                 }
                 state->m_sequence = sequence = sequence + other & 3;
@@ -194,9 +190,7 @@ namespace FastPoints.Laz
                 EncodeMultiplier(state, sequence, (int)difference, last, ref low, ref length, ref next);
             }
             state->m_last[sequence] = time;
-            stream->Value = low;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(low, length, next);
         }
 
         static void EncodeMultiplier(GpsTimeItem* state, int sequence, int difference, int last, ref uint low, ref uint length,

@@ -80,9 +80,7 @@ namespace FastPoints.Laz
                     state->m_difference = difference;
             }
 
-            stream->Value = value;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(value, length, next);
             return state->m_last;
         }
     }

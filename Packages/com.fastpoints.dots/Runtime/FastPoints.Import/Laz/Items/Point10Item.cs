@@ -171,9 +171,7 @@ namespace FastPoints.Laz
             *lastHeight = z;
             state->m_z = z;
 
-            stream->Value = value;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(value, length, next);
             *(long*)record = *(long*)state;
             *(long*)(record + 8) = *((long*)state + 1);
             *(int*)(record + 16) = *((int*)state + 4);
@@ -204,9 +202,7 @@ namespace FastPoints.Laz
             IntegerModel.Encode(memory + ZOffset, 32, ZContexts, isSingle + (k < 18 ? k & ~1 : 18), z - *lastHeight, out _,
                 ref low, ref length, ref next);
             *lastHeight = z;
-            stream->Value = low;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(low, length, next);
             state->SetLast(record);
         }
 
@@ -242,9 +238,7 @@ namespace FastPoints.Laz
             if ((changed & UserDataChangedBit) != 0)
                 SymbolModel.Encode(ModelOfByte(memory + UserDataOffset, state->m_userDataMade, state->m_userData), 256,
                     record[17], ref low, ref length, ref next);
-            stream->Value = low;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(low, length, next);
             if ((changed & SourceChangedBit) != 0)
                 IntegerModel.Encode(memory + SourceOffset, 16, 1, 0, *(ushort*)(record + 18) - state->m_source, stream);
         }

@@ -93,9 +93,7 @@ namespace FastPoints.Laz
             state->m_oldest = state->m_oldest == 2 ? 0 : state->m_oldest + 1;
 
             uint changed = SymbolModel.Decode(memory + ChangedOffset, 64, ref value, ref length, ref next);
-            stream->Value = value;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(value, length, next);
             if (changed != 0)
                 DecodeChanges(state, stream, changed, k);
 
@@ -130,9 +128,7 @@ namespace FastPoints.Laz
             byte* next = stream->Next;
             byte* model = Point10Item.ModelOfByte(models, made, last);
             uint symbol = SymbolModel.Decode(model, 256, ref value, ref length, ref next);
-            stream->Value = value;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(value, length, next);
             return (byte)symbol;
         }
 

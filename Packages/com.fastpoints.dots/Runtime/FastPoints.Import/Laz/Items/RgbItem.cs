@@ -34,9 +34,7 @@ namespace FastPoints.Laz
             uint value = stream->Value, length = stream->Length;
             byte* next = stream->Next;
             Decode((byte*)state, state->Last, record, ref value, ref length, ref next);
-            stream->Value = value;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(value, length, next);
         }
 
         // "last" becomes the colour (and is apart from the models, since RGB14 version 3 mixes up whose it is).
@@ -90,9 +88,7 @@ namespace FastPoints.Laz
             uint low = stream->Value, length = stream->Length;
             byte* next = stream->Next;
             Encode((byte*)state, state->Last, record, ref low, ref length, ref next);
-            stream->Value = low;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(low, length, next);
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -170,9 +166,7 @@ namespace FastPoints.Laz
                         + IntegerModel.Decode(memory + IntegerOffset, 8, 6, i, ref value, ref length, ref next));
                 record[i] = state->m_last[i];
             }
-            stream->Value = value;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(value, length, next);
         }
     }
 }

@@ -76,9 +76,7 @@ namespace FastPoints.Laz
                 uint low = RangeCoder.UInt32(ref value, ref length, ref next);
                 offset = (ulong)RangeCoder.UInt32(ref value, ref length, ref next) << 32 | low;
             }
-            stream->Value = value;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(value, length, next);
 
             *(ulong*)last = offset;
             *(uint*)(last + 8) = lastSize + (uint)IntegerModel.Decode(memory + SizeOffset, 32, 1, 0, stream);
@@ -114,9 +112,7 @@ namespace FastPoints.Laz
                 RangeCoder.PutUInt32(*(uint*)packet, ref low, ref length, ref next);
                 RangeCoder.PutUInt32(*(uint*)(packet + 4), ref low, ref length, ref next);
             }
-            stream->Value = low;
-            stream->Length = length;
-            stream->Next = next;
+            stream->Save(low, length, next);
             IntegerModel.Encode(memory + SizeOffset, 32, 1, 0, *(int*)(packet + 8) - *(int*)(last + 8), stream);
             IntegerModel.Encode(memory + LocationOffset, 32, 1, 0, *(int*)(packet + 12) - *(int*)(last + 12), stream);
             for (int i = 16; i < RecordBytes - 1; i += 4)

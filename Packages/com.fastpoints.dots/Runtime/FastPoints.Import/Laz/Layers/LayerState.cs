@@ -35,9 +35,7 @@ namespace FastPoints.Laz
         public void SaveState(int context, uint value, uint length, byte* next)
         {
             Current = context;
-            Stream.Value = value;
-            Stream.Length = length;
-            Stream.Next = next;
+            Stream.Save(value, length, next);
         }
     }
 
