@@ -6,8 +6,8 @@ using Random = Unity.Mathematics.Random;
 
 namespace FastPoints.HostTests.Surface;
 
-/// <summary>Edits of the cloud of <see cref="PointCloudColliderTests"/>, in cells of 20 m around its table; points of class 6 have
-/// no surface.</summary>
+/// <summary>Edits of the cloud of <see cref="PointCloudColliderTests"/>, in cells of 20 m around its table; those of class 6
+/// have no surface.</summary>
 public sealed class SurfaceEditTests : ScratchTests
 {
     const double Reach = 2; // Of a cell's margin, at these sizes of voxels and holes.
