@@ -21,10 +21,11 @@ public sealed class PointCloudColliderTests : ScratchTests
     [OneTimeSetUp]
     public void MakeCloud() => m_cloud = Convert(Scratch["ground.fastpoints"]);
 
-    internal static string Convert(string path)
+    internal static string Convert(string path, bool isInMillimetres = false)
     {
         var random = new Random(5);
         var points = new List<(double3 Place, byte Class)>();
+        var middle = new double3(500_000, 5_000_000, 100); // Far from zero, as coordinates are.
         for (double y = -16; y < 16; y += 0.9 * Voxel)
             for (double x = -32; x < 32; x += 0.9 * Voxel)
             {
@@ -33,17 +34,18 @@ public sealed class PointCloudColliderTests : ScratchTests
                 if (math.all(math.abs(place.xy - new double2(-24, 0)) < 2))
                     points.Add((place + new double3(0, 0, 1), 6));
             }
-        var batch = TestBatches.New(points.Count, AttributeType.Float64,
+        var batch = TestBatches.New(points.Count, isInMillimetres ? AttributeType.Int32 : AttributeType.Float64,
             new PointAttribute(AttributeNames.Classification, AttributeType.UInt8));
         for (int i = 0; i < points.Count; i++)
         {
-            // Far from zero, as coordinates are.
-            var place = points[i].Place + new double3(500_000, 5_000_000, 100);
+            var place = isInMillimetres ? points[i].Place * 1000 : points[i].Place + middle;
             for (int axis = 0; axis < 3; axis++)
-                TestBatches.Put(batch, axis, i, place[axis]);
+                TestBatches.Set(batch, axis, i, place[axis]);
             TestBatches.Put(batch, 3, i, points[i].Class);
         }
         using var reader = new MemoryPointReader(batch, 10_000);
+        if (isInMillimetres)
+            reader.Info.Transform = new PositionTransform { Scale = 0.001, Offset = middle };
         JobCoroutine.RunToEnd(ConvertCloud.Run([reader], path, new ConvertSettings { PointsPerChunk = 20_000 }, _ => { }, null));
         batch.Dispose();
         return path;

@@ -17,8 +17,8 @@ public sealed class SurfaceCacheTests : ScratchTests
     [SetUp]
     public void MakeCloud() => m_cloud = Scratch[TestContext.CurrentContext.Test.ID + ".fastpoints"];
 
-    SurfaceCache Open(long maxBytes = 16 << 20, ulong cloudId = CloudId, EditPlan edits = null) =>
-        Begin(new SurfaceCache(m_cloud, cloudId, edits, true, maxBytes), new SurfaceGrid(0.1, 80, 3));
+    SurfaceCache Open(long maxBytes = 16 << 20, ulong cloudId = CloudId) =>
+        Begin(new SurfaceCache(m_cloud, cloudId, true, maxBytes), new SurfaceGrid(0.1, 80, 3));
 
     static SurfaceCache Begin(SurfaceCache cache, SurfaceGrid grid, int hidden = -1, double z = 1, UpAxis up = UpAxis.Z)
     {
@@ -38,15 +38,15 @@ public sealed class SurfaceCacheTests : ScratchTests
         return surface;
     }
 
-    void Write(int3 cell, uint seed = 1)
+    void Write(int3 cell, uint seed = 1, ulong edits = 0)
     {
         using var surface = Surface(4, 3, seed);
-        Open().Write(cell, surface);
+        Open().Write(cell, edits, surface);
     }
 
-    static bool Finds(SurfaceCache cache, int3 cell, uint seed = 1)
+    static bool Finds(SurfaceCache cache, int3 cell, uint seed = 1, ulong edits = 0)
     {
-        using var read = cache.Read(cell);
+        using var read = cache.Read(cell, edits);
         using var wanted = Surface(4, 3, seed);
         return read.Ints.IsCreated && read.Ints.ToArray().SequenceEqual(wanted.Ints.ToArray());
     }
@@ -58,9 +58,9 @@ public sealed class SurfaceCacheTests : ScratchTests
     {
         Write(s_cell);
         using (var empty = new PackedSurface(0, 0))
-            Open().Write(new int3(1), empty);
+            Open().Write(new int3(1), 0, empty);
         Assert.That(Finds(Open(), s_cell), Is.True);
-        using var read = Open().Read(new int3(1));
+        using var read = Open().Read(new int3(1), 0);
         Assert.That((read.Ints.IsCreated, read.Vertices.Length, read.Triangles.Length), Is.EqualTo((true, 0, 0)));
         Assert.That(Finds(Open(), s_cell + new int3(0, 0, 1)), Is.False);
     }
@@ -87,8 +87,8 @@ public sealed class SurfaceCacheTests : ScratchTests
         using (var cache = Open())
         using (PackedSurface first = Surface(4, 3), second = Surface(4, 3, 2))
         {
-            cache.Write(0, first);
-            cache.Write(1, second);
+            cache.Write(0, 0, first);
+            cache.Write(1, 0, second);
         }
         byte[] whole = System.IO.File.ReadAllBytes(File);
         for (int length = 0; length < whole.Length; length++)
@@ -107,12 +107,10 @@ public sealed class SurfaceCacheTests : ScratchTests
     public void Read_OtherCloudEditsOrSettings_FindsNothing()
     {
         Write(s_cell);
-        var edits = new EditPlan([new EditOperation { Action = EditAction.Delete }], new CloudManifest
-        { Attributes = new PointSchema([]) });
         var grid = new SurfaceGrid(0.1, 80, 3);
         Assert.That(Finds(Open(), s_cell), Is.True);
         Assert.That(Finds(Open(cloudId: CloudId + 1), s_cell), Is.False, "another cloud");
-        Assert.That(Finds(Open(edits: edits), s_cell), Is.False, "edits");
+        Assert.That(Finds(Open(), s_cell, edits: 1), Is.False, "edits");
         Assert.That(Finds(Begin(Open(), new SurfaceGrid(0.1000001, 80, 3)), s_cell), Is.False, "voxel size");
         Assert.That(Finds(Begin(Open(), new SurfaceGrid(0.1, 81, 3)), s_cell), Is.False, "cell size");
         Assert.That(Finds(Begin(Open(), new SurfaceGrid(0.1, 80, 2)), s_cell), Is.False, "hole size");
@@ -131,12 +129,12 @@ public sealed class SurfaceCacheTests : ScratchTests
         {
             var cache = Open(max);
             for (int n = 0; n < 5; n++)
-                cache.Write(new int3(run, n, 0), surface);
+                cache.Write(new int3(run, n, 0), 0, surface);
             Assert.That(cache.Bytes, Is.LessThanOrEqualTo(max));
-            using var read = cache.Read(new int3(run, 4, 0));
+            using var read = cache.Read(new int3(run, 4, 0), 0);
             Assert.That(read.Ints.IsCreated, Is.True);
         }
-        using var oldest = Open(max).Read(0);
+        using var oldest = Open(max).Read(0, 0);
         Assert.That(oldest.Ints.IsCreated, Is.False);
         Assert.That(Directory.GetFiles(Folder), Has.Length.LessThanOrEqualTo(17));
         Assert.That(Directory.GetFiles(Folder).Sum(f => new FileInfo(f).Length), Is.LessThanOrEqualTo(max));
@@ -149,7 +147,7 @@ public sealed class SurfaceCacheTests : ScratchTests
         Directory.Delete(Folder);
         System.IO.File.WriteAllText(Folder, "in the way");
         Assert.That(Open().Folder, Is.EqualTo(RangeCache.FolderOfUser("surfaces")));
-        Assert.That(new SurfaceCache("https://a.example/b.fastpoints", 1, null, false, 1).Folder,
+        Assert.That(new SurfaceCache("https://a.example/b.fastpoints", 1, false, 1).Folder,
             Is.EqualTo(RangeCache.FolderOfUser("surfaces")));
     }
 

@@ -17,17 +17,16 @@ namespace FastPoints.Surface
 
         public const string Extension = ".surfaces";
         const int MaxFiles = 16;
-        const int KeyLength = 15, CellAt = 13;
+        const int KeyLength = 15, EditsAt = 2, CellAt = 13;
 
         readonly RangeCache m_files;
         readonly ulong[] m_key = new ulong[KeyLength];
 
-        /// <param name="edits">Null for the cloud as it is stored.</param>
         /// <param name="mayWrite">Next to the cloud.</param>
         /// <param name="maxBytes">Of all cells together; those used longest ago go first.</param>
-        public SurfaceCache(string cloud, ulong cloudId, EditPlan edits, bool mayWrite, long maxBytes)
+        public SurfaceCache(string cloud, ulong cloudId, bool mayWrite, long maxBytes)
         {
-            (m_key[0], m_key[1], m_key[2]) = (Version, cloudId, edits == null ? 0 : edits.Hash);
+            (m_key[0], m_key[1]) = (Version, cloudId);
             string folder = mayWrite ? Path.ChangeExtension(EditJournal.PathOf(cloud), Extension) : null;
             if (folder == null || !TryCreate(folder))
                 folder = RangeCache.FolderOfUser("surfaces");
@@ -50,9 +49,10 @@ namespace FastPoints.Surface
         }
 
         /// <summary>Not created if there is none, or if it is damaged.</summary>
-        public PackedSurface Read(int3 cell)
+        /// <param name="edits">Of <see cref="EditPlan.HashIn"/>: those that reach the points that the cell is made of.</param>
+        public PackedSurface Read(int3 cell, ulong edits)
         {
-            var key = KeyOf(cell);
+            var key = KeyOf(cell, edits);
             var surface = default(PackedSurface);
             surface.Ints = new NativeArray<int>(m_files.LengthOf(key) / sizeof(int), Allocator.Persistent,
                 NativeArrayOptions.UninitializedMemory);
@@ -61,8 +61,8 @@ namespace FastPoints.Surface
             return surface;
         }
 
-        public void Write(int3 cell, in PackedSurface surface) =>
-            m_files.Add(KeyOf(cell), 0, MemoryMarshal.AsBytes(surface.Ints.AsSpan()));
+        public void Write(int3 cell, ulong edits, in PackedSurface surface) =>
+            m_files.Add(KeyOf(cell, edits), 0, MemoryMarshal.AsBytes(surface.Ints.AsSpan()));
 
         /// <summary>What is read or written on other threads meanwhile ends first: nothing waits for it.</summary>
         public void Dispose() => PoolTask.Begin(Folder, () =>
@@ -71,10 +71,11 @@ namespace FastPoints.Surface
             return true;
         });
 
-        FileVersionKey KeyOf(int3 cell)
+        FileVersionKey KeyOf(int3 cell, ulong edits)
         {
             Span<ulong> key = stackalloc ulong[KeyLength];
             m_key.CopyTo(key);
+            key[EditsAt] = edits;
             (key[CellAt], key[CellAt + 1]) = (Pair(cell.x, cell.y), (ulong)cell.z);
             ulong first = ContentHash.Of(MemoryMarshal.AsBytes(key));
             key[0] = ~key[0];
@@ -125,7 +126,7 @@ namespace FastPoints.Surface
                 var manifest = opened.Folder.Manifest;
                 opened.Edits = EditPlan.Of(path, manifest);
                 if (cacheBytes > 0)
-                    opened.Cache = new SurfaceCache(path, manifest.CloudId, opened.Edits, mayWrite, cacheBytes);
+                    opened.Cache = new SurfaceCache(path, manifest.CloudId, mayWrite, cacheBytes);
                 return opened;
             }
             catch

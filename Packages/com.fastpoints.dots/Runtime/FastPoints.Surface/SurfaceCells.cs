@@ -13,6 +13,7 @@ namespace FastPoints.Surface
         public int Triangles = -1; // Known once it was made, even if there was no room for it.
         public object Shown; // Its collider; null while it is not made, or if it is empty.
         public double RetryAt; // It failed, and is not tried before.
+        public ulong Edits; // Where its triangles are known: the hash of the edits that reach its points.
 
         public bool IsMade => Triangles == 0 || Shown != null;
     }
@@ -89,6 +90,22 @@ namespace FastPoints.Surface
             Trim();
         }
 
+        /// <summary>Those whose triangles are known, made or not.</summary>
+        public List<SurfaceCell> Known()
+        {
+            var known = new List<SurfaceCell>(m_cells.Values);
+            known.RemoveAll(cell => cell.Triangles < 0);
+            return known;
+        }
+
+        /// <summary>To be made anew, from other points.</summary>
+        public void Forget(SurfaceCell cell)
+        {
+            if (cell.IsMade)
+                Drop(cell);
+            cell.Triangles = -1;
+        }
+
         /// <summary>Whether all cells so near to a place are made.</summary>
         public bool IsMade(double3 place, double3 reach)
         {
@@ -130,14 +147,19 @@ namespace FastPoints.Surface
                     if ((m_wanted.Count == 0 || cell != m_wanted[0]) && (oldest == null ||
                         (cell.WantedInPlan, -cell.Distance).CompareTo((oldest.WantedInPlan, -oldest.Distance)) < 0))
                         oldest = cell;
-                Made.Remove(oldest);
-                Triangles -= oldest.Triangles;
-                if (oldest.Triangles == 0)
-                    oldest.Triangles = -1;
-                else
-                    m_free(oldest);
-                oldest.Shown = null;
+                Drop(oldest);
             }
+        }
+
+        void Drop(SurfaceCell cell)
+        {
+            Made.Remove(cell);
+            Triangles -= cell.Triangles;
+            if (cell.Triangles == 0)
+                cell.Triangles = -1;
+            else
+                m_free(cell);
+            cell.Shown = null;
         }
     }
 }

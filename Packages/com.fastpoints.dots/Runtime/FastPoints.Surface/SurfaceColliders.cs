@@ -28,6 +28,7 @@ namespace FastPoints.Surface
         readonly double3 m_rootGeo, m_scale;
         readonly double3x3 m_fromCloud;
         List<double3> m_places = new List<double3>(), m_planned = new List<double3>();
+        EditPlan m_edits; // Null for the cloud as it is stored.
         UnitySpace m_space;
         double4x4 m_toWorld;
         double3 m_lengths;
@@ -47,7 +48,7 @@ namespace FastPoints.Surface
             m_points = new SurfacePointReader(opened.Folder, grid, hidden, m_scale)
             {
                 PointsPerBatch = PointsPerBatch,
-                Edits = opened.Edits,
+                Edits = m_edits = opened.Edits,
             };
             m_builder = new SurfaceBuilder(grid, (float3)up);
             opened.Cache?.Begin(grid, hidden, m_scale, space.Up);
@@ -103,6 +104,32 @@ namespace FastPoints.Surface
             return m_isStale |= m_making.Tick(budgetMs);
         }
 
+        /// <summary>Reads the cloud's edits as they are now, and which of them reach the cells of now.</summary>
+        public PoolTask<EditedCells> BeginEdits()
+        {
+            var (path, manifest, cells) = (m_opened.Folder.FolderPath, Manifest, Cells.Known());
+            return PoolTask.Begin(path, () =>
+            {
+                var plan = EditPlan.Of(path, manifest);
+                return new EditedCells { Plan = plan, Cells = cells, EditsOfCell = cells.ConvertAll(c => EditsIn(c.At, plan)) };
+            });
+        }
+
+        /// <summary>Goes on with other edits, while no cell is made: those cells are made anew that they reach.</summary>
+        public void SetEdits(in EditedCells edited)
+        {
+            m_points.Edits = m_edits = edited.Plan;
+            for (int i = 0; i < edited.Cells.Count; i++)
+                if (edited.Cells[i].Edits != edited.EditsOfCell[i])
+                {
+                    Cells.Forget(edited.Cells[i]);
+                    m_isStale = true;
+                }
+        }
+
+        // Any thread.
+        ulong EditsIn(int3 cell, EditPlan edits) => edits == null ? 0 : edits.HashIn(m_points.BoxOf(cell));
+
         public bool IsReady(double3 world, double reach) => math.all(m_lengths > 0) &&
             Cells.IsMade(MetresOf(world), reach / m_lengths);
 
@@ -128,13 +155,17 @@ namespace FastPoints.Surface
 
         IEnumerator<JobStep> Make(SurfaceCell cell)
         {
-            var cache = m_opened.Cache;
+            var (cache, edits) = (m_opened.Cache, m_edits);
             var surface = default(PackedSurface);
             try
             {
-                if (cache != null)
-                    yield return JobStep.Of(PoolTask.Run(cache.Folder, () => cache.Read(cell.At), read => surface = read,
-                        unwanted => unwanted.Dispose()));
+                cell.Edits = 0;
+                if (cache != null || edits != null)
+                    yield return JobStep.Of(PoolTask.Run(m_opened.Folder.FolderPath, () =>
+                    {
+                        ulong hash = EditsIn(cell.At, edits);
+                        return (hash, cache == null ? default : cache.Read(cell.At, hash));
+                    }, read => (cell.Edits, surface) = read, unwanted => unwanted.Item2.Dispose()));
                 bool isStored = surface.Ints.IsCreated;
                 if (!isStored)
                 {
@@ -155,7 +186,7 @@ namespace FastPoints.Surface
                 while (!isStored && cache != null && IsWriting)
                     yield return default;
                 if (!isStored && cache != null)
-                    BeginWriting(cell.At, ref surface);
+                    BeginWriting(cell, ref surface);
             }
             finally
             {
@@ -164,14 +195,14 @@ namespace FastPoints.Surface
         }
 
         // It is its from then on.
-        void BeginWriting(int3 cell, ref PackedSurface surface)
+        void BeginWriting(SurfaceCell cell, ref PackedSurface surface)
         {
-            var (cache, written) = (m_opened.Cache, surface);
+            var (cache, at, edits, written) = (m_opened.Cache, cell.At, cell.Edits, surface);
             surface = default;
             m_writing = PoolTask.Begin(cache.Folder, () =>
             {
                 using (written)
-                    cache.Write(cell, written);
+                    cache.Write(at, edits, written);
                 return true;
             });
         }
@@ -182,14 +213,23 @@ namespace FastPoints.Surface
         protected static double3x3 LinearOf(double4x4 m) => new double3x3(m.c0.xyz, m.c1.xyz, m.c2.xyz);
     }
 
-    /// <summary>Opens the cloud of a component and goes on with its colliders: five seconds later after an error, anew after
-    /// edits. Main thread.</summary>
+    /// <summary>What edits reach.</summary>
+    internal struct EditedCells
+    {
+        public EditPlan Plan; // Null for the cloud as it is stored.
+        public List<SurfaceCell> Cells;
+        public List<ulong> EditsOfCell;
+    }
+
+    /// <summary>Opens the cloud of a component and goes on with its colliders: five seconds later after an error, anew where
+    /// edits reach. Main thread.</summary>
     internal sealed class SurfaceUpdates
     {
         readonly Func<string> m_path;
         readonly Func<OpenedSurface, SurfaceColliders> m_make;
         readonly Func<SurfaceColliders, bool> m_follow;
         PoolTask<OpenedSurface> m_opening;
+        PoolTask<EditedCells> m_editing;
         double m_retryAt;
         int m_edits = EditJournal.Writes;
 
@@ -200,12 +240,13 @@ namespace FastPoints.Surface
 
         public SurfaceColliders Surface { get; private set; }
         public string Error { get; private set; }
+        public bool IsCurrent => m_editing == null && m_edits == EditJournal.Writes; // Has all edits.
 
         public void Reopen()
         {
             m_opening?.Dispose();
             Surface?.Dispose();
-            (m_opening, Surface, m_retryAt) = (null, null, 0);
+            (m_opening, m_editing, Surface, m_retryAt) = (null, null, null, 0);
         }
 
         public void Update(string name, int cacheMegabytes, double budgetMs)
@@ -213,10 +254,11 @@ namespace FastPoints.Surface
             double now = UnityEngine.Time.realtimeSinceStartupAsDouble;
             try
             {
-                if (m_edits != EditJournal.Writes || Surface != null && !m_follow(Surface))
+                if (Surface == null ? m_edits != EditJournal.Writes : !m_follow(Surface))
                     Reopen();
-                m_edits = EditJournal.Writes;
-                if (Surface == null ? TryOpen(cacheMegabytes, now) : Surface.Update(now, budgetMs))
+                if (Surface == null)
+                    m_edits = EditJournal.Writes;
+                if (Surface == null ? TryOpen(cacheMegabytes, now) : !IsEditing() && Surface.Update(now, budgetMs))
                     Error = null;
             }
             catch (Exception e)
@@ -227,6 +269,26 @@ namespace FastPoints.Surface
                     UnityEngine.Debug.LogError("FastPoints: " + name + " lacks colliders: " + message);
                 Error = message;
             }
+        }
+
+        // Whether it waits for edits, which are taken between two cells: where they go on and on, cells do too.
+        bool IsEditing()
+        {
+            if (!IsCurrent && m_editing == null && !Surface.IsMaking)
+                (m_edits, m_editing) = (EditJournal.Writes, Surface.BeginEdits());
+            if (m_editing == null || !m_editing.IsDone)
+                return m_editing != null;
+            try
+            {
+                Surface.SetEdits(m_editing.Take());
+            }
+            catch
+            {
+                Reopen();
+                throw;
+            }
+            m_editing = null;
+            return false;
         }
 
         bool TryOpen(int cacheMegabytes, double now)

@@ -46,7 +46,7 @@ namespace FastPoints.Surface
         /// <summary>A coroutine that may leave out points of each batch before it is taken; null for none.</summary>
         public Func<PointBatch, IEnumerator<JobStep>> Prepare { get; set; }
 
-        /// <summary>Points are taken as these leave them; null as stored. To be set before the first is read.</summary>
+        /// <summary>Points are taken as these leave them; null as stored. To be set while none are read.</summary>
         public EditPlan Edits
         {
             set
@@ -55,19 +55,27 @@ namespace FastPoints.Surface
                 for (int p = 1; p < Folder.Layout.Planes.Count; p++)
                     if (Folder.Layout.Planes[p].IsSource && ColumnsOf(p).Count > 0)
                         planes.Add(p);
+                m_transcoder?.Dispose();
+                m_transcoder = null;
                 using var streamed = new NativeArray<int>(planes.ToArray(), Allocator.Persistent);
                 m_edited = value == null ? null : new EditedNodes(value, Folder, streamed);
             }
+        }
+
+        /// <summary>Around all points that a cell's surface may depend on. Any thread.</summary>
+        public EditShape BoxOf(int3 cell)
+        {
+            double margin = m_grid.Margin * m_grid.VoxelMetres;
+            var min = new double3(cell.x, cell.y, cell.z) * m_grid.CellMetres - margin;
+            return new EditShape { A = StepsOf(min, false), B = StepsOf(min + m_grid.CellMetres + 2 * margin, true) };
         }
 
         /// <summary>Coroutine: adds the points in a cell and around it to its surface.</summary>
         /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
         public IEnumerator<JobStep> Add(SurfaceBuilder builder, int3 cell)
         {
-            double margin = m_grid.Margin * m_grid.VoxelMetres;
-            var min = new double3(cell.x, cell.y, cell.z) * m_grid.CellMetres - margin;
-            return Read(StepsOf(min, false), StepsOf(min + m_grid.CellMetres + 2 * margin, true), batch =>
-                builder.Add(cell, batch, Metres, m_hidden));
+            var box = BoxOf(cell);
+            return Read(box.A, box.B, batch => builder.Add(cell, batch, Metres, m_hidden));
         }
 
         /// <summary>Coroutine: all points of the cloud, batch by batch, in grid steps from the root's corner.</summary>

@@ -10,6 +10,7 @@ namespace FastPoints.Store
     {
         readonly List<string> m_changed = new List<string>();
         EditReaches m_before; // Of all operations but the last.
+        List<(ulong Hash, EditReaches Reaches)> m_each; // By operation.
 
         public EditPlan(IReadOnlyList<EditOperation> operations, CloudManifest manifest)
         {
@@ -42,14 +43,30 @@ namespace FastPoints.Store
         public long[] PointsChanged { get; }
 
         // Differs between plans that make different points.
-        public unsafe ulong Hash
+        public ulong Hash => HashOf(string.Concat(new List<EditOperation>(Operations).ConvertAll(o => o.ToJson())));
+
+        // Differs between plans that make different points in a box: that of the operations, in their order, that may reach it.
+        // 0 if none may.
+        public unsafe ulong HashIn(in EditShape box)
         {
-            get
-            {
-                string text = string.Concat(new List<EditOperation>(Operations).ConvertAll(o => o.ToJson()));
-                fixed (char* first = text)
-                    return ContentHash.Of(first, text.Length * sizeof(char));
-            }
+            ulong* hashes = stackalloc ulong[2];
+            int tries = int.MaxValue;
+            if (!Reaches.Any(box, ref tries))
+                return 0;
+            m_each ??= new List<EditOperation>(Operations).ConvertAll(o => (HashOf(o.ToJson()), new EditReaches(new[] { o })));
+            foreach (var (hash, reaches) in m_each)
+                if (reaches.Any(box, ref tries))
+                {
+                    hashes[1] = hash;
+                    hashes[0] = ContentHash.Of(hashes, 2 * sizeof(ulong));
+                }
+            return hashes[0];
+        }
+
+        static unsafe ulong HashOf(string text)
+        {
+            fixed (char* first = text)
+                return ContentHash.Of(first, text.Length * sizeof(char));
         }
 
         // The edits of a cloud, and perhaps one more; null if there are none. Throws if they are damaged, another's, or for
