@@ -43,7 +43,7 @@ public sealed class FlyVerb : Verb
     {
         HelpName = "SECONDS",
         Description = "How long a node takes to appear or to leave, point by point (default: 0.25; 0: at once).",
-        DefaultValueFactory = _ => StreamSettings.DefaultFadeSeconds,
+        DefaultValueFactory = _ => StreamSettings.SceneFadeSeconds,
     };
     readonly Option<bool> m_popping = new("--popping")
     {

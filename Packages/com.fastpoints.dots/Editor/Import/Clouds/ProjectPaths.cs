@@ -78,7 +78,8 @@ namespace FastPoints.Editor
 
         /// <summary>The folder of a point cloud file in <c>Assets</c>, as its asset refers to it: by the asset's number, which
         /// stays the same when the file is renamed.</summary>
-        public static string OfAsset(string guid) => PointCloudPaths.ConvertedRootPrefix + guid + StoreFormat.FolderExtension;
+        public static string ConvertedFolderOf(string guid) =>
+            PointCloudPaths.ConvertedRootPrefix + guid + StoreFormat.FolderExtension;
 
         static string Inside(string folder) => Path.GetFullPath(folder).TrimEnd(Path.DirectorySeparatorChar,
             Path.AltDirectorySeparatorChar) + Path.DirectorySeparatorChar;

@@ -18,7 +18,7 @@ namespace FastPoints.Reading
         public virtual bool BlocksAreKnown => true;
 
         /// <summary>The most jobs that <see cref="IndexBlocks"/> has in flight; 0 for as many as keep all workers busy.</summary>
-        public int MaxJobs { get; set; }
+        public int MaxIndexingJobs { get; set; }
 
         /// <summary>Coroutine that finds the blocks in one pass over the file: line starts of an ascii file, a lost chunk
         /// table.</summary>
@@ -79,7 +79,7 @@ namespace FastPoints.Reading
 
         /// <summary>Whether a range costs what it holds, wherever it lies in its block. Otherwise only prefixes are
         /// cheap.</summary>
-        public virtual bool HasFixedStride => false;
+        public virtual bool HasCheapRanges => false;
 
         /// <summary>Points of all blocks together.</summary>
         public long PointCount => BlockCount == 0 ? 0 : FirstPointOfBlock(BlockCount - 1) + PointsInBlock(BlockCount - 1);

@@ -64,7 +64,7 @@ namespace FastPoints.Build
         public NativeList<DetachedRecordPages> Detached { get; }
 
         /// <param name="result">Says how many points the batch has, when <paramref name="decoded"/> completes.</param>
-        public JobHandle ScheduleGrouping(PointBatch batch, NativeReference<DecodeResult> result, in SourceGrid grid,
+        public JobHandle ScheduleGrouping(PointBatch batch, NativeReference<DecodeResult> result, in SourceToGrid grid,
             JobHandle decoded)
         {
             return new GroupRecordsJob
@@ -133,7 +133,7 @@ namespace FastPoints.Build
         public PointColumn Y;
         public PointColumn Z;
         [ReadOnly] public NativeArray<RecordField> Fields;
-        public SourceGrid Grid;
+        public SourceToGrid Grid;
         public RecordLayout Layout;
         public ChunkFinder Chunks;
         [ReadOnly] public NativeArray<int> ChunkOfCell;
@@ -228,8 +228,8 @@ namespace FastPoints.Build
             for (int i = 0; i < count; i++)
             {
                 chunks[i] = -1;
-                if (x[i] == SourceGrid.InvalidPosition || y[i] == SourceGrid.InvalidPosition ||
-                    z[i] == SourceGrid.InvalidPosition)
+                if (x[i] == SourceToGrid.InvalidPosition || y[i] == SourceToGrid.InvalidPosition ||
+                    z[i] == SourceToGrid.InvalidPosition)
                 {
                     statistics.LeftOut++;
                     continue;
@@ -304,9 +304,9 @@ namespace FastPoints.Build
 
         void LoadOffsets(byte* bytes, int first, int count, uint* offsets)
         {
-            SourceGrid.ToOffsets(Grid.X, X.At(bytes, first), X.Type, count, Layout.Base.X, offsets);
-            SourceGrid.ToOffsets(Grid.Y, Y.At(bytes, first), Y.Type, count, Layout.Base.Y, offsets + BatchPoints);
-            SourceGrid.ToOffsets(Grid.Z, Z.At(bytes, first), Z.Type, count, Layout.Base.Z, offsets + 2 * BatchPoints);
+            SourceToGrid.ToOffsets(Grid.X, X.At(bytes, first), X.Type, count, Layout.Base.X, offsets);
+            SourceToGrid.ToOffsets(Grid.Y, Y.At(bytes, first), Y.Type, count, Layout.Base.Y, offsets + BatchPoints);
+            SourceToGrid.ToOffsets(Grid.Z, Z.At(bytes, first), Z.Type, count, Layout.Base.Z, offsets + 2 * BatchPoints);
         }
 
         /// <summary>Copies records to their indices.</summary>
@@ -326,9 +326,9 @@ namespace FastPoints.Build
 
         void LoadBatch(byte* bytes, int first, int count, long* positions, ref double maxRoundingSteps)
         {
-            SourceGrid.ToGrid(Grid.X, X.At(bytes, first), X.Type, count, positions, ref maxRoundingSteps);
-            SourceGrid.ToGrid(Grid.Y, Y.At(bytes, first), Y.Type, count, positions + BatchPoints, ref maxRoundingSteps);
-            SourceGrid.ToGrid(Grid.Z, Z.At(bytes, first), Z.Type, count, positions + 2 * BatchPoints, ref maxRoundingSteps);
+            SourceToGrid.ToGrid(Grid.X, X.At(bytes, first), X.Type, count, positions, ref maxRoundingSteps);
+            SourceToGrid.ToGrid(Grid.Y, Y.At(bytes, first), Y.Type, count, positions + BatchPoints, ref maxRoundingSteps);
+            SourceToGrid.ToGrid(Grid.Z, Z.At(bytes, first), Z.Type, count, positions + 2 * BatchPoints, ref maxRoundingSteps);
         }
 
         static void CopyColumn(byte* from, int size, int count, byte* to, int stride)
