@@ -42,8 +42,7 @@ namespace FastPoints.Editor
 
         public bool IsPausedByPlayMode { get; set; }
 
-        public bool HasWork =>
-            m_requests.Exists(r => r.State == ImportState.Waiting || r.State == ImportState.Running);
+        public bool HasWork => m_requests.Exists(r => r.State == ImportState.Waiting || r.State == ImportState.Running);
 
         public ImportRequest CurrentRequest => m_currentRequest;
 
@@ -51,8 +50,7 @@ namespace FastPoints.Editor
         /// all is well.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Raised when a conversion has ended, and when its cloud has got normals, with success or without; the
-        /// session says which.</summary>
+        /// <summary>Raised again when the cloud has got normals; the session says which it was, and with what success.</summary>
         public event Action<ImportRequest, ConversionSession> ConversionEnded;
 
         string FilePath => Path.Combine(m_paths.Clouds, FileName);

@@ -17,7 +17,6 @@ namespace FastPoints.Editor
 
         public bool AddsNormals;
 
-        /// <summary>Only the normals are missing.</summary>
         public bool OnlyNormalsLeft { get; internal set; }
 
         public ImportState State { get; internal set; }

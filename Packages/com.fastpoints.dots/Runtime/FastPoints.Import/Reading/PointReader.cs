@@ -77,8 +77,7 @@ namespace FastPoints.Reading
         internal FetchWindow WindowOf(int first, int end, Func<int, BlockRange> rangeOf) =>
             IsRemote ? new FetchWindow(first, end, (n, pieces) => ListPieces(rangeOf(n), pieces)) : null;
 
-        /// <summary>Whether a range costs what it holds, wherever it lies in its block. Otherwise only prefixes are
-        /// cheap.</summary>
+        /// <summary>Whether a range anywhere in its block costs what it holds. Otherwise only prefixes are cheap.</summary>
         public virtual bool HasCheapRanges => false;
 
         /// <summary>Points of all blocks together.</summary>
