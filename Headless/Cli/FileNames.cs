@@ -8,7 +8,7 @@ static partial class FileNames
     static string? s_links;
 
     /// <summary>The arguments, with such files replaced by links of similar names to open handles.</summary>
-    public static string[] Readable(string[] args)
+    public static string[] WithLinks(string[] args)
     {
         if (!OperatingSystem.IsLinux() || !args.Any(a => a.Contains('\uFFFD')))
             return args;

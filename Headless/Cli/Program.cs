@@ -27,7 +27,7 @@ public static class Program
         int status = ExitStatus.Failed;
         try
         {
-            status = CommandLine.Run(FileNames.Readable(args), output, error, !Console.IsErrorRedirected, s_cancellation.Token,
+            status = CommandLine.Run(FileNames.WithLinks(args), output, error, !Console.IsErrorRedirected, s_cancellation.Token,
                 s_discard.Token);
             output.Flush();
         }

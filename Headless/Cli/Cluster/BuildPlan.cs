@@ -179,6 +179,6 @@ sealed class BuildPlan
         Schema = new PointSchema(json.Objects("attributes").ConvertAll(a =>
             System.Enum.TryParse(a.Text("type"), out AttributeType type)
             ? new PointAttribute(a.Text("name"), type, a.Number("scale"), a.Number("offset"))
-            : throw a.Bad("type", "a type of attribute"))),
+            : throw a.Wanted("type", "a type of attribute"))),
     };
 }

@@ -89,7 +89,7 @@ sealed class BucketRecords
     {
         using (var to = FileChanges.OpenToWrite(path, FileMode.Create))
             foreach (var (name, range) in m_ranges)
-                m_store.Append(name, range.Offset, range.Bytes, to);
+                m_store.CopyRangeTo(name, range.Offset, range.Bytes, to);
         long at = 0;
         foreach (var (name, range) in m_ranges)
         {

@@ -65,7 +65,7 @@ sealed class CommitTask
     {
         var builds = markers.Where(m => m.Task.StartsWith("build-", StringComparison.Ordinal)).ToArray();
         Require("points of all builds", total.Statistics.Count, builds.Sum(b => b.Points) + total.OutsidePoints, "");
-        Require("points of the sources", total.PointsWanted, total.Statistics.Count + total.Statistics.LeftOut,
+        Require("points of the sources", total.OwnBlockPoints, total.Statistics.Count + total.Statistics.LeftOut,
             ": some lie outside of what their files' headers say, plan again with --buckets");
         if (total.Checksum != total.Statistics.Checksum)
             throw PointCloudException.Wanted(FailureCode.WriteFailed, m_store.Name, -1, "checksum of the points on their way "

@@ -42,7 +42,7 @@ sealed partial class FolderStore(string name) : TaskStore(name)
 
     public override string? ReadText(string name) => StoreFile.TryReadText(PathOf(name), out string text) ? text : null;
 
-    public override void Append(string name, long offset, long count, Stream to)
+    public override void CopyRangeTo(string name, long offset, long count, Stream to)
     {
         var buffer = new byte[(int)Math.Min(count, 4 << 20)];
         try

@@ -76,5 +76,5 @@ static class PlanFile
 
     static GridCube CubeOf(long[] numbers, JsonMembers json, string name) => numbers[3] is >= 0 and <= GridCube.MaxSideLog2
         ? new GridCube(new Grid3(numbers[0], numbers[1], numbers[2]), (int)numbers[3])
-        : throw json.Bad(name, "a corner and the logarithm of a side up to " + GridCube.MaxSideLog2);
+        : throw json.Wanted(name, "a corner and the logarithm of a side up to " + GridCube.MaxSideLog2);
 }

@@ -12,7 +12,7 @@ sealed class PlanStep
     /// <summary>Where all tasks together read more than this times the points, it is cheaper to read them once, and to write
     /// each to the bucket of its task. That takes 0.4 of a build; of LAS, whose points cost little, 2 reads take no more than
     /// one.</summary>
-    const double MostReads = 1.5, MostReadsOfFixedStride = 3;
+    const double MostReads = 1.5, MostReadsOfCheapRanges = 3;
     const double MemoryOfBucket = 0.6; // A bucket's records take so much of a task's memory, so that they are written once.
 
     const string TaskStage = "tasks";
@@ -80,7 +80,7 @@ sealed class PlanStep
         var reads = ReadsOfTasks();
         long points = Math.Max(1, m_reader.PointCount);
         ReadsPerPoint = reads.Sum(r => r.Points) / (double)points;
-        double most = m_reader.HasFixedStride ? MostReadsOfFixedStride : MostReads;
+        double most = m_reader.HasCheapRanges ? MostReadsOfCheapRanges : MostReads;
         bool isBucketed = m_request.IsBucketed ?? (ReadsPerPoint > most && m_cubes.Length > 1);
         // Of cubes without sources nothing comes, unless records of buckets turn out to lie there.
         var kept = Enumerable.Range(0, m_cubes.Length).Where(t => isBucketed || t == 0 || reads[t].Pieces.Count > 0).ToArray();
@@ -114,7 +114,7 @@ sealed class PlanStep
     Reads[] ReadsOfTasks()
     {
         var reads = Array.ConvertAll(m_cubes, _ => new Reads());
-        var index = new CubeIndex(m_plan.Whole.CloudCube, m_cubes);
+        var index = new CubeFinder(m_plan.Whole.CloudCube, m_cubes);
         var found = new List<int>();
         for (int p = 0; p < m_sources.Pieces.Count; p++)
         {

@@ -140,7 +140,7 @@ sealed class S3Store : TaskStore
         return Get(name, null, bytes, isHashed: true) ? Encoding.UTF8.GetString(bytes.ToArray()) : null;
     }
 
-    public override void Append(string name, long offset, long count, Stream to)
+    public override void CopyRangeTo(string name, long offset, long count, Stream to)
     {
         if (count > 0 && !Get(name, (offset, count), to, isHashed: false))
             throw Failure(FailureCode.NotFound, name, "no such object");

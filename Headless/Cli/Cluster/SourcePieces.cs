@@ -83,7 +83,7 @@ sealed class SourcePieces
 
     Grid3 ToGrid(double3 position, double margin)
     {
-        const long limit = SourceGrid.Limit;
+        const long limit = SourceToGrid.Limit;
         var steps = math.clamp(math.round((position - m_grid.Origin) / m_grid.Step) + margin, -limit, limit);
         return new Grid3((long)steps.x, (long)steps.y, (long)steps.z);
     }

@@ -34,7 +34,7 @@ sealed class TaskReport
             return;
         }
         double began = m_run.Seconds;
-        var marker = task.FindDone();
+        var marker = task.CompleteIfDone();
         bool wasDone = marker != null;
         try
         {

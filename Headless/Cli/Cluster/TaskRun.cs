@@ -39,7 +39,7 @@ sealed class TaskRun : IDisposable
         Store.Dispose();
     }
 
-    public TaskMarker? FindDone()
+    public TaskMarker? CompleteIfDone()
     {
         var marker = TaskMarker.Read(Store, Plan, Name);
         // A run that was killed behind its marker left its folder.

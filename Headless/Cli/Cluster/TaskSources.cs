@@ -60,7 +60,7 @@ sealed class TaskSources : IDisposable
         foreach (var range in source.LongLists("blocks", 3))
         {
             if (range[0] < 0 || range[0] > range[1] || range[1] > count)
-                throw source.Bad("blocks", "ranges of " + count + " blocks");
+                throw source.Wanted("blocks", "ranges of " + count + " blocks");
             for (long block = range[0]; block < range[1]; block++)
             {
                 Blocks.Add(first + (int)block);

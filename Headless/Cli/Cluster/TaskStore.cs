@@ -23,7 +23,7 @@ abstract class TaskStore : IDisposable
 
     public abstract string? ReadText(string name);
 
-    public abstract void Append(string name, long offset, long count, Stream to);
+    public abstract void CopyRangeTo(string name, long offset, long count, Stream to);
 
     /// <summary>A file with an object's bytes: that of the store itself, or a copy.</summary>
     /// <param name="folder">For copies.</param>

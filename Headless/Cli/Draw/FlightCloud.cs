@@ -96,7 +96,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
         {
             LookSettings.RequireStreamable(options, folder.Manifest.Attributes, path);
             var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
-            var ranges = plansByManifest && folder.Manifest.Shown != null ? DisplayRanges.Of(folder.Manifest)
+            var ranges = plansByManifest && folder.Manifest.DisplayRanges != null ? DisplayRanges.Of(folder.Manifest)
                 : MeasureRanges(folder, options, cancellation);
             var plan = new PicturePlan(options, ranges, transform);
             var source = new FolderSource(folder,

@@ -14,10 +14,10 @@ public sealed class ReportPage(string title, string? lead = null)
 
     public void Html(string html) => m_body.Append(html).Append('\n');
 
-    public void View(string json, byte[] png, string alt, string time, string note, string unit)
+    public void View(string json, byte[] png, string alt, string time, string noteHtml, string unit)
     {
         string[] parts = EmbeddedText.Of("view.html").Replace("{alt}", Escape(alt)).Replace("{time}", Escape(time))
-            .Replace("{note}", note).Replace("{unit}", Escape(unit))
+            .Replace("{note}", noteHtml).Replace("{unit}", Escape(unit))
             .Replace("{png}", System.Convert.ToBase64String(png)).Split("{data}");
         m_body.Append(parts[0]).Append(json).Append(parts[1]);
         m_scripts.AddRange(["points.js", "camera.js", "renderer.js", "colors.js", "tools.js", "view.js"]);

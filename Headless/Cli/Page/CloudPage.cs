@@ -146,14 +146,15 @@ sealed class CloudPage
 
     IEnumerable<string> Pictures()
     {
-        yield return Picture(Drawn.Image, "Drawn in software: " + string.Join("; ", Drawn.Assumptions.Prepend(Drawn.Describe())));
+        yield return HalfSizePicture(Drawn.Image, "Drawn in software: "
+            + string.Join("; ", Drawn.Assumptions.Prepend(Drawn.Describe())));
         if (Gpu != null)
-            yield return Picture(Gpu.Image, "Streamed, and drawn as a game would: " + Gpu.Describe() + ", " + Gpu.Device);
+            yield return HalfSizePicture(Gpu.Image, "Streamed, and drawn as a game would: " + Gpu.Describe() + ", " + Gpu.Device);
     }
 
     public static string UnitOf(CloudUnits units) => (units.IsKnown ? "in " : "UNIT ") + units.Describe(BoundsGeo.Empty);
 
-    public static string Picture(RgbaImage image, string caption)
+    public static string HalfSizePicture(RgbaImage image, string caption)
     {
         var half = new RgbaImage(Math.Max(1, image.Width / 2), Math.Max(1, image.Height / 2));
         for (int y = 0; y < half.Height; y++)

@@ -53,7 +53,8 @@ sealed class ConvertedCloudReport
         page.Heading("Distribution");
         page.Row(distribution.Charts());
         page.Heading("Pictures");
-        page.Row(report.m_pictures.Select(p => CloudPage.Picture(p.Drawn.Image, p.Drawn.Describe() + ", " + p.Drawn.Device)));
+        page.Row(report.m_pictures.Select(p =>
+            CloudPage.HalfSizePicture(p.Drawn.Image, p.Drawn.Describe() + ", " + p.Drawn.Device)));
         page.Heading("What to do next");
         page.Commands([("Fly over it", "fastpoints fly " + CloudPage.Quoted(path) + " -o flight"),
             ("Prove that it is undamaged", "fastpoints verify " + CloudPage.Quoted(path)),

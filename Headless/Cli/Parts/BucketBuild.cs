@@ -99,7 +99,7 @@ sealed class BucketBuild : PartStages
         {
             Statistics = Scatter.Statistics,
             Attributes = Scatter.Attributes,
-            PointsWanted = Checkpoints.Journal.PointsWanted,
+            OwnBlockPoints = Checkpoints.Journal.OwnBlockPoints,
             OutsidePoints = ranges.Count > 0 && ranges[ranges.Count - 1].Part == Build.Map.Outside
                 ? ranges[ranges.Count - 1].Count : 0,
         };

@@ -25,11 +25,11 @@ sealed class CloudPlan
             .ConvertAll(g => g.Count == 1 ? Whole.BaseCells[g.First] : g.Cube).ToArray();
     }
 
-    public static CloudPlan Of(BuildContext build, AttributeStatistics[] values, byte[]? lasRecords)
+    public static CloudPlan Of(BuildContext build, AttributeStatistics[] statistics, byte[]? lasMetadata)
     {
-        var divisors = new int[values.Length];
+        var divisors = new int[statistics.Length];
         for (int a = 0; a < divisors.Length; a++)
-            divisors[a] = AttributeSummary.DivisorOf(values[a], build.Attributes[a]);
+            divisors[a] = AttributeSummary.DivisorOf(statistics[a], build.Attributes[a]);
         var whole = new BuildPart
         {
             CloudId = build.CloudId,
@@ -50,7 +50,7 @@ sealed class CloudPlan
             Whole = whole,
             Manifest = manifest,
             PointsOfCell = build.Map.PointsOfBaseCell,
-            LasMetadata = lasRecords,
+            LasMetadata = lasMetadata,
         };
     }
 }
@@ -98,9 +98,9 @@ static class PlannedParts
             Grid = part.Grid,
             Attributes = part.Attributes,
             Divisors = part.Divisors,
-            Ranges = new CloudManifest.Range[part.Attributes.Count],
+            Ranges = new CloudManifest.ValueRange[part.Attributes.Count],
         };
-        Array.Fill(manifest.Ranges, new CloudManifest.Range { Min = double.NaN, Max = double.NaN });
+        Array.Fill(manifest.Ranges, new CloudManifest.ValueRange { Min = double.NaN, Max = double.NaN });
         return manifest;
     }
 

@@ -10,7 +10,7 @@ abstract class PartStages : IDisposable
         Build = build;
         m_selection = selection;
         if (selection != null)
-            build.TakePointsWanted = selection.TakePointsWanted;
+            build.TakeOwnBlockPoints = selection.TakeOwnBlockPoints;
         // A part of a cloud is none.
         build.Settings.SecondsPerGeneration = build.Settings.SecondsToFirstGeneration = double.PositiveInfinity;
     }
@@ -117,7 +117,7 @@ sealed class PartBuild : PartStages
                     map => Build.Map = map));
             Build.Map.BaseCells = part.BaseCells;
             // What the sample does not count.
-            Build.TakePointsWanted?.Invoke();
+            Build.TakeOwnBlockPoints?.Invoke();
         }
         finally
         {
@@ -218,7 +218,7 @@ sealed class PartBuild : PartStages
             // Of records the bucket has them.
             Statistics = m_fetch == null ? Scatter.Statistics : PointStatistics.None,
             Attributes = Scatter.Attributes,
-            PointsWanted = Checkpoints.Journal.PointsWanted,
+            OwnBlockPoints = Checkpoints.Journal.OwnBlockPoints,
             Checksum = m_octree.Checksum,
         };
         result.Include(m_octree.MinSideLog2, m_octree.BytesOfPlane);

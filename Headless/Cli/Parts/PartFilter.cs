@@ -5,13 +5,13 @@ namespace FastPoints.Cli.Parts;
 sealed class PartFilter : IPointFilter, IDisposable
 {
     readonly BuildPart m_part;
-    readonly SourceGrid m_grid;
+    readonly SourceToGrid m_grid;
     readonly IReadOnlyList<bool> m_isOwn;
     readonly List<Slot> m_slots = new List<Slot>();
-    long m_pointsWanted;
+    long m_ownBlockPoints;
 
     /// <param name="isOwn">By block of the reader that filters.</param>
-    public PartFilter(BuildPart part, in SourceGrid grid, IReadOnlyList<bool> isOwn)
+    public PartFilter(BuildPart part, in SourceToGrid grid, IReadOnlyList<bool> isOwn)
     {
         m_part = part;
         m_grid = grid;
@@ -30,12 +30,12 @@ sealed class PartFilter : IPointFilter, IDisposable
     }
 
     /// <summary>Points of own blocks since the last call, wherever they are, when their jobs are complete.</summary>
-    public long TakePointsWanted()
+    public long TakeOwnBlockPoints()
     {
         foreach (var slot in m_slots)
-            m_pointsWanted += slot.TakePointsWanted();
-        long wanted = m_pointsWanted;
-        m_pointsWanted = 0;
+            m_ownBlockPoints += slot.TakeOwnBlockPoints();
+        long wanted = m_ownBlockPoints;
+        m_ownBlockPoints = 0;
         return wanted;
     }
 
@@ -65,7 +65,7 @@ sealed class PartFilter : IPointFilter, IDisposable
                 Cube = selection.m_part.Cube,
                 CloudCube = selection.m_part.CloudCube,
                 Chosen = new NativeArray<int>(FilterPartJob.PointsPerSlice, Allocator.Persistent),
-                Wanted = new NativeReference<long>(Allocator.Persistent),
+                OwnBlockPoints = new NativeReference<long>(Allocator.Persistent),
                 Selected = new NativeReference<DecodeResult>(Allocator.Persistent),
             };
         }
@@ -83,9 +83,9 @@ sealed class PartFilter : IPointFilter, IDisposable
             return decoded;
         }
 
-        public long TakePointsWanted()
+        public long TakeOwnBlockPoints()
         {
-            var wanted = m_job.Wanted;
+            var wanted = m_job.OwnBlockPoints;
             long points = wanted.Value;
             wanted.Value = 0;
             return points;
@@ -95,11 +95,11 @@ sealed class PartFilter : IPointFilter, IDisposable
         {
             if (!m_job.Chosen.IsCreated)
                 return;
-            m_selection.m_pointsWanted += TakePointsWanted();
+            m_selection.m_ownBlockPoints += TakeOwnBlockPoints();
             m_selection.m_slots.Remove(this);
             m_job.AllColumns.Dispose();
             m_job.Chosen.Dispose();
-            m_job.Wanted.Dispose();
+            m_job.OwnBlockPoints.Dispose();
             m_job.Selected.Dispose();
             m_job = default;
         }
@@ -117,14 +117,14 @@ unsafe struct FilterPartJob : IJob
     [ReadOnly] public NativeReference<DecodeResult> Decoded;
     [ReadOnly] public NativeArray<PointColumn> AllColumns;
     public PositionColumns Positions;
-    public SourceGrid Grid;
+    public SourceToGrid Grid;
     public GridCube Cube;
     public GridCube CloudCube;
     public bool IsOwn; // Whether points outside of the whole cube are wanted.
 
     public int First;
     public NativeArray<int> Chosen;
-    public NativeReference<long> Wanted;
+    public NativeReference<long> OwnBlockPoints;
     public NativeReference<DecodeResult> Selected;
 
     public void Execute()
@@ -141,7 +141,7 @@ unsafe struct FilterPartJob : IJob
             for (int c = 0; c < AllColumns.Length && points > 0 && result.Points + points < First + count; c++)
                 PointRecords.Gather(bytes, AllColumns[c], chosen, points, result.Points);
             result.Points += points;
-            Wanted.Value += IsOwn ? count : 0;
+            OwnBlockPoints.Value += IsOwn ? count : 0;
         }
         Selected.Value = result;
     }
@@ -155,9 +155,9 @@ unsafe struct FilterPartJob : IJob
         for (int first = 0; first < count; first += BatchPoints)
         {
             int points = math.min(BatchPoints, count - first);
-            SourceGrid.ToGrid(Grid.X, Positions.X.At(bytes, First + first), Positions.X.Type, points, x, ref ignored);
-            SourceGrid.ToGrid(Grid.Y, Positions.Y.At(bytes, First + first), Positions.Y.Type, points, y, ref ignored);
-            SourceGrid.ToGrid(Grid.Z, Positions.Z.At(bytes, First + first), Positions.Z.Type, points, z, ref ignored);
+            SourceToGrid.ToGrid(Grid.X, Positions.X.At(bytes, First + first), Positions.X.Type, points, x, ref ignored);
+            SourceToGrid.ToGrid(Grid.Y, Positions.Y.At(bytes, First + first), Positions.Y.Type, points, y, ref ignored);
+            SourceToGrid.ToGrid(Grid.Z, Positions.Z.At(bytes, First + first), Positions.Z.Type, points, z, ref ignored);
             for (int i = 0; i < points; i++)
             {
                 var position = new Grid3(x[i], y[i], z[i]);

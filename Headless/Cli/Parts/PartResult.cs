@@ -7,7 +7,7 @@ sealed class PartResult
     /// <summary>Of the points that were read, those outside of the plan's cube too.</summary>
     public PointStatistics Statistics = PointStatistics.None;
     public AttributeStatistics[] Attributes;
-    public long PointsWanted; // Points of the blocks that the part owns, if they pass the filter: in sum the cloud's.
+    public long OwnBlockPoints; // Points of the blocks that the part owns, if they pass the filter: in sum the cloud's.
 
     public long OutsidePoints;
     public ulong Checksum; // Of the points in the part's chunks.
@@ -27,7 +27,7 @@ sealed class PartResult
         Statistics.Include(other.Statistics);
         for (int a = 0; a < Attributes.Length; a++)
             Attributes[a].Include(other.Attributes[a]);
-        PointsWanted += other.PointsWanted;
+        OwnBlockPoints += other.OwnBlockPoints;
         OutsidePoints += other.OutsidePoints;
         Checksum += other.Checksum;
         Include(other.MinSideLog2, other.BytesOfPlane);
@@ -49,7 +49,7 @@ sealed class PartResult
         PartBytes.Write(to, Statistics.Max);
         to.Write(Statistics.Checksum);
         to.Write(Statistics.MaxRoundingSteps);
-        to.Write(PointsWanted);
+        to.Write(OwnBlockPoints);
         to.Write(OutsidePoints);
         to.Write(Checksum);
         to.Write(MinSideLog2);
@@ -57,8 +57,8 @@ sealed class PartResult
         to.Write(BytesOfPlane.Length);
         foreach (var attribute in Attributes)
         {
-            to.Write(attribute.Min);
-            to.Write(attribute.Max);
+            to.Write(attribute.OrderedMin);
+            to.Write(attribute.OrderedMax);
             to.Write(attribute.Or);
             to.Write(attribute.Modulo257Or);
         }
@@ -82,7 +82,7 @@ sealed class PartResult
         var result = new PartResult(PartBytes.ReadCount(from), PartBytes.ReadCount(from))
         {
             Statistics = statistics,
-            PointsWanted = wanted,
+            OwnBlockPoints = wanted,
             OutsidePoints = outside,
             Checksum = checksum,
             MinSideLog2 = lowest,
@@ -90,8 +90,8 @@ sealed class PartResult
         for (int a = 0; a < result.Attributes.Length; a++)
             result.Attributes[a] = new AttributeStatistics
             {
-                Min = from.ReadUInt64(),
-                Max = from.ReadUInt64(),
+                OrderedMin = from.ReadUInt64(),
+                OrderedMax = from.ReadUInt64(),
                 Or = from.ReadUInt64(),
                 Modulo257Or = from.ReadUInt32(),
             };

@@ -75,7 +75,7 @@ public sealed class ErrorStep
         foreach (int count in counts)
             Measure(first, () => m_methods.First(count));
         Curves.Add(first);
-        if (reader.HasFixedStride || reader.BlockCount < 2 || reader.PointCount == 0)
+        if (reader.HasCheapRanges || reader.BlockCount < 2 || reader.PointCount == 0)
             return;
         var prefixes = new ErrorCurve("block prefixes", "N points from the prefixes of all blocks (LAZ chunks, octree nodes)");
         foreach (int count in counts)

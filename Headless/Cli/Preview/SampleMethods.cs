@@ -39,7 +39,7 @@ public sealed class SampleMethods(Func<PointReader> open, PreviewOptions options
     });
 
     public MeasuredSample EveryNth(int points) => Timed((reader, secondsToOpen) => Ranges(reader, secondsToOpen,
-        reader.HasFixedStride && points <= MaxSinglePoints && points <= reader.PointCount
+        reader.HasCheapRanges && points <= MaxSinglePoints && points <= reader.PointCount
             ? RangeSampler.Single(reader, points)
             : RangeSampler.Whole(reader), points));
 

@@ -29,14 +29,14 @@ sealed unsafe class SingleFileStep : IDisposable
                     + "this machine, got " + (cloud.IsUnfinished ? "one that is being built"
                     : cloud.Manifest.IsSingleFile ? "one of a single file" : "an address"));
             using var step = new SingleFileStep(cloud, target, progress);
-            yield return JobStep.Of(FolderOfFolder.Begin(step.m_to));
+            yield return JobStep.Of(DerivedCloud.Begin(step.m_to));
             progress.Begin("check");
             yield return JobStep.Of(step.CheckPlanes());
             progress.Begin("planes");
             yield return JobStep.Of(step.CopyPlanes());
             progress.Begin("pages");
             yield return JobStep.Of(step.WritePages());
-            yield return JobStep.Of(FolderOfFolder.End(step.m_to, cloud.Manifest, folder, StoreFormat.SourcesName,
+            yield return JobStep.Of(DerivedCloud.End(step.m_to, cloud.Manifest, folder, StoreFormat.SourcesName,
                 StoreFormat.RecordsName, StoreFormat.FactsName));
         }
         // The writer's.

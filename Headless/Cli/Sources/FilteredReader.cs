@@ -36,12 +36,12 @@ sealed class FilteredReader : PointReader
     public override bool BlocksAreKnown => Unfiltered.BlocksAreKnown;
     public override int BlockCount => m_blocks?.Count ?? Unfiltered.BlockCount;
     public override int MaxPointsPerBlock => m_blocks == null ? Unfiltered.MaxPointsPerBlock : m_maxPointsPerBlock;
-    public override bool HasFixedStride => Unfiltered.HasFixedStride;
+    public override bool HasCheapRanges => Unfiltered.HasCheapRanges;
     internal override long DecoderBytes => Unfiltered.DecoderBytes;
 
     public override IEnumerator<JobStep> IndexBlocks()
     {
-        Unfiltered.MaxJobs = MaxJobs;
+        Unfiltered.MaxIndexingJobs = MaxIndexingJobs;
         return Unfiltered.IndexBlocks();
     }
 

@@ -31,7 +31,7 @@ sealed unsafe class UpgradeStep : IDisposable
     {
         using var old = OldCloud.Open(folder);
         using var upgrade = new UpgradeStep(old, target, progress);
-        yield return JobStep.Of(FolderOfFolder.Begin(upgrade.m_to));
+        yield return JobStep.Of(DerivedCloud.Begin(upgrade.m_to));
         progress.Begin("upgrade");
         yield return JobStep.Of(upgrade.CopyUpper());
         yield return JobStep.Of(upgrade.CopyChunks());
@@ -145,7 +145,7 @@ sealed unsafe class UpgradeStep : IDisposable
     IEnumerator<JobStep> WriteTexts(string folder)
     {
         yield return JobStep.Of(m_to.WriteText(StoreFormat.SourcesName, StoredSources.ToJson(m_old.Sources)));
-        yield return JobStep.Of(FolderOfFolder.End(m_to, m_old.Manifest, folder, StoreFormat.RecordsName,
+        yield return JobStep.Of(DerivedCloud.End(m_to, m_old.Manifest, folder, StoreFormat.RecordsName,
             StoreFormat.FactsName));
     }
 

@@ -78,11 +78,11 @@ public sealed class DemoCloudVerb : Verb
         using var reader = PointReaders.Open(tile);
         bool isLas = reader.Info.Format == "LAS";
         if (toLaz && !isLas)
-            return LazTiling.Write(tile, output, times, run.Progress, run.Cancellation);
+            return RepeatedLaz.Write(tile, output, times, run.Progress, run.Cancellation);
         if (toLaz)
             throw new UsageException("--tile makes a .laz file of a .laz file only: " + tile);
         if (isLas)
-            return LasTiling.Write(tile, output, times, run.Progress, run.Cancellation);
+            return RepeatedLas.Write(tile, output, times, run.Progress, run.Cancellation);
         if (reader.Info.PointFormat < 0)
             throw new PointCloudException(FailureCode.Unsupported, tile, -1, "only LAS and LAZ files are tiled, this is "
                 + reader.Info.Format);
@@ -90,7 +90,7 @@ public sealed class DemoCloudVerb : Verb
         try
         {
             run.RunSteps(ExportCloud.Run(reader, unpacked, new ExportSettings(), _ => { }, run.Progress));
-            return LasTiling.Write(unpacked, output, times, run.Progress, run.Cancellation);
+            return RepeatedLas.Write(unpacked, output, times, run.Progress, run.Cancellation);
         }
         finally
         {

@@ -32,7 +32,7 @@ public sealed class FlyVerb : Verb
         "Copied into it in one frame at most (default: 4096 KiB).", 4096, "KIB");
     readonly ValueOption<double> m_fade = new("--fade", "SECONDS",
         "How long a node takes to appear or to leave, point by point (default: 0.25; 0: at once).",
-        StreamSettings.DefaultFadeSeconds);
+        StreamSettings.SceneFadeSeconds);
     readonly Flag m_popping = new("--popping",
         "Measure popping, in software: each frame's picture against what the frame before drew, seen from the same camera, "
             + "as FLIP. Frames then take longer, so that reads have more time.");

@@ -69,7 +69,7 @@ public sealed class CountryPlanTests
         int next = 0;
         var groups = CubeGroups.Of(s_whole, cells, c => c, _ => (long)math.ceil(pointsOfCell[next++]), PointsPerTask);
         var cubes = groups.ConvertAll(g => g.Count == 1 ? cells[g.First] : g.Cube).ToArray();
-        var index = new CubeIndex(s_whole, cubes);
+        var index = new CubeFinder(s_whole, cubes);
         var (tilesOf, pointsRead, found) = (new int[cubes.Length], new double[cubes.Length], new List<int>());
         foreach (var tile in tiles)
         {

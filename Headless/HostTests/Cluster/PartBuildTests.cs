@@ -150,7 +150,7 @@ class PartBuildTests : FolderTests
             built += result.Checksum;
             found += result.Statistics.Checksum;
             count += result.Statistics.Count;
-            pointsWanted += result.PointsWanted;
+            pointsWanted += result.OwnBlockPoints;
         }
         Assert.That(built, Is.EqualTo(cloud.Manifest.Checksum));
         Assert.That(found, Is.EqualTo(cloud.Manifest.Checksum));

@@ -22,7 +22,7 @@ public sealed class PlanTests
             var (a, b) = (new Grid3(Number(), Number(), Number()), new Grid3(Number(), Number(), Number()));
             var (min, max) = i % 10 == 0 ? (Grid3.MinValue, Grid3.MaxValue) : (Grid3.Min(a, b), Grid3.Max(a, b));
             var found = new List<int>();
-            new CubeIndex(s_whole, cubes).Find(min, max, found);
+            new CubeFinder(s_whole, cubes).Find(min, max, found);
             Assert.That(found, Is.EqualTo(Enumerable.Range(0, cubes.Length).Where(c =>
                 Grid3.Max(cubes[c].Corner, min) == Grid3.Min(Grid3.Max(cubes[c].Corner, min), max)
                 && cubes[c].Contains(Grid3.Min(Grid3.Max(cubes[c].Corner, min), max)))));

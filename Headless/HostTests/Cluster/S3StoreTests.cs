@@ -50,7 +50,7 @@ sealed class S3StoreTests : RemoteFixture
     {
         using var to = new MemoryStream();
         byte[] bytes = File.ReadAllBytes(path);
-        m_store.Append(name, 0, bytes.Length, to);
+        m_store.CopyRangeTo(name, 0, bytes.Length, to);
         Assert.That(to.ToArray(), Is.EqualTo(bytes));
     }
 
@@ -88,7 +88,7 @@ sealed class S3StoreTests : RemoteFixture
         Assert.That(m_proxy.Done, Is.Not.Empty);
         FailOnce(Enum.Parse<S3Fault>(fault), "GET");
         using var range = new MemoryStream();
-        m_store.Append("work/a.bin", 1000, 1_500_000, range);
+        m_store.CopyRangeTo("work/a.bin", 1000, 1_500_000, range);
         Assert.That(range.ToArray(), Is.EqualTo(File.ReadAllBytes(path)[1000..1_501_000]));
     }
 
@@ -127,7 +127,7 @@ sealed class S3StoreTests : RemoteFixture
             Directory.CreateDirectory(Path.Combine(copy, folder));
         foreach (var (name, bytes) in store.List(""))
             using (var to = File.Create(Path.Combine(copy, name)))
-                store.Append(name, 0, bytes, to);
+                store.CopyRangeTo(name, 0, bytes, to);
         ClusterCloud.AssertSame(cloud.Whole("tiles"), copy);
         ClusterCloud.Done("picture", cloud.Store, "-o", Scratch["there.png"], "--size", "160x120", "--quiet");
         ClusterCloud.Done("picture", copy, "-o", Scratch["here.png"], "--size", "160x120", "--quiet");

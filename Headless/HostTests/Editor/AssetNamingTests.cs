@@ -65,10 +65,10 @@ public sealed class AssetNamingTests
     [Test]
     public void Next_NamesThatDifferInCaseAlone_GetNumbers()
     {
-        var names = new FreeNames("", "", new string[0]);
+        var names = new FreePaths("", "", new string[0]);
         foreach (string wanted in new[] { "scan", "Scan 2", "SCAN 3", "scan 2 2" })
             Assert.That(names.Next(wanted == "scan 2 2" ? "scan 2" : "SCAN"), Is.EqualTo(wanted).IgnoreCase);
-        Assert.That(new FreeNames("in", ".x", new[] { Path.Combine("in", "Scan.x") }).Next("scan"),
+        Assert.That(new FreePaths("in", ".x", new[] { Path.Combine("in", "Scan.x") }).Next("scan"),
             Is.EqualTo(Path.Combine("in", "scan 2.x")));
     }
 }

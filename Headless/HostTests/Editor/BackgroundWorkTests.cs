@@ -162,7 +162,7 @@ public sealed class BackgroundWorkTests : EditorFixture
                 string name = isClone ? "clone.las" : "main.las";
                 m_project.Scratch.Demo("project/Assets/" + name, 1000);
                 AssetDatabase.Refresh();
-                m_project.Imports.CreateFolder(m_project.Paths.Clouds);
+                m_project.Imports.TryCreateIgnoredFolder(m_project.Paths.Clouds);
                 Assert.That(EditorApplication.update == null, Is.EqualTo(isClone));
                 Assert.That(AssetDatabase.GetImporterOverride("Assets/" + name), isClone ? Is.Null : Is.Not.Null);
                 Assert.That(m_project.Imports.Queue.Requests, Has.Count.EqualTo(isClone ? 0 : 1));

@@ -76,8 +76,8 @@ public sealed class CloudCatalogTests : ScratchPerTest
         Assert.That(m_catalog.Clouds[0].Name, Is.EqualTo("broken"));
         Assert.That(m_catalog.Clouds[0].Problem, Does.Contain("missing"));
         Assert.That(m_catalog.Clouds[1].Path, Is.EqualTo(building));
-        Assert.That(m_catalog.Clouds[1].IsBuilding, Is.True);
-        Assert.That(m_catalog.Find(Handle(building), out _), Is.EqualTo(CatalogMatch.Building));
+        Assert.That(m_catalog.Clouds[1].IsUnfinished, Is.True);
+        Assert.That(m_catalog.Find(Handle(building), out _), Is.EqualTo(CatalogMatch.Unfinished));
     }
 
     [Test]

@@ -24,7 +24,7 @@ public sealed class CloudDropTests : EditorFixture
     static void Drop(string[] paths, DropTarget target = null)
     {
         DragAndDrop.paths = paths;
-        FastPointsSettings.instance.CopiedMiB = 0;
+        FastPointsSettings.instance.MaxCopiedMiB = 0;
         try
         {
             if (target == null)
@@ -34,7 +34,7 @@ public sealed class CloudDropTests : EditorFixture
         }
         finally
         {
-            FastPointsSettings.instance.CopiedMiB = 64;
+            FastPointsSettings.instance.MaxCopiedMiB = 64;
         }
     }
 
@@ -152,7 +152,7 @@ public sealed class CloudDropTests : EditorFixture
         Assert.That(AssetDatabase.s_loads, Is.LessThanOrEqualTo(3 * count + 10));
         Assert.That(AssetDatabase.s_searches, Is.LessThanOrEqualTo(1));
         Assert.That(SceneLoop.Find<PointCloud>(), Has.Length.EqualTo(count));
-        queue.Cancel(queue.Running);
+        queue.Cancel(queue.CurrentRequest);
     }
 
     /// <summary>Pictures that come faster than Unity imports are shown together.</summary>

@@ -78,7 +78,7 @@ public sealed class CloudsWindowTests : EditorFixture
             }));
         Assert.That(list.Rows[0].Bytes, Is.EqualTo(Directory.GetFiles("PointClouds/a.fastpoints", "*",
             SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length)).And.GreaterThan(2000));
-        Assert.That(list.Rows.Select(r => r.Missing), Is.EqualTo(new[] { null, m_project.Scratch["b.las"], null }));
+        Assert.That(list.Rows.Select(r => r.MissingSource), Is.EqualTo(new[] { null, m_project.Scratch["b.las"], null }));
         Assert.That(list.Unused, Is.Empty);
         ImportProject.Updates(() => GUILayoutUtility.Repaint(OnGui), () => true);
     }
@@ -168,7 +168,7 @@ public sealed class CloudsWindowTests : EditorFixture
     }
 
     [Test]
-    public void Convert_MissingClouds_ConvertsThoseWithSources()
+    public void Convert_MissingDataPrompt_ConvertsThoseWithSources()
     {
         FastPointsSettings.instance.ConvertAtOnce = false;
         foreach (string name in new[] { "a", "b", "c", "gone" })

@@ -18,7 +18,7 @@ public sealed class DropTests
         return path;
     }
 
-    DropKind Of(params string[] paths) => CloudSources.Of(paths, m_project.Paths, 100);
+    DropKind Of(params string[] paths) => CloudSources.DropKindOf(paths, m_project.Paths, 100);
 
     [Test]
     public void Of_DroppedFiles_DecidesByKindAndSize()

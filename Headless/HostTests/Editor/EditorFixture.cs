@@ -19,7 +19,7 @@ public abstract class EditorFixture
         Debug.s_sink = null;
         var settings = FastPointsSettings.instance;
         (settings.ConvertAtOnce, settings.ConvertOctrees) = (true, false);
-        settings.PlayerMiB = 2048;
+        settings.PlayerWarningMiB = 2048;
         settings.SeveralFiles = SeveralFiles.Ask;
         settings.PointFiles = PointFiles.Ask;
         settings.Place = ProjectPaths.DefaultClouds;

@@ -147,7 +147,7 @@ public sealed class EditorImportsTests : EditorFixture
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("one.las", 3000), "Assets");
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("two.las", 3000), "Assets");
-        m_project.Imports.Queue.Ended += (_, __) => throw new InvalidOperationException("planted in the queue");
+        m_project.Imports.Queue.ConversionEnded += (_, __) => throw new InvalidOperationException("planted in the queue");
 
         m_project.UpdateToTheEnd();
 
@@ -226,7 +226,7 @@ public sealed class EditorImportsTests : EditorFixture
         UnityEngine.Object shown = null;
         string there = Converted(() =>
         {
-            var cloud = PointCloudDrops.Show(m_project.Asset("Assets/scan.pointcloud"), Vector3.zero, null);
+            var cloud = PointCloudDrops.AddToScene(m_project.Asset("Assets/scan.pointcloud"), Vector3.zero, null);
             EditorProject.Frames(world, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
             shown = cloud.gameObject;
         });
@@ -365,7 +365,7 @@ public sealed class EditorImportsTests : EditorFixture
         var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         m_project.UpdateToTheEnd();
         using var world = StreamingWorld();
-        var cloud = PointCloudDrops.Show(asset, null, null);
+        var cloud = PointCloudDrops.AddToScene(asset, null, null);
         void ShownAs(UpAxis up) => ImportProject.Updates(() =>
         {
             SceneLoop.Update();
@@ -412,7 +412,7 @@ public sealed class EditorImportsTests : EditorFixture
         Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
         Assert.That(asset.PlayerSource, Is.Empty, "a player cannot stream it");
         using var world = StreamingWorld();
-        var cloud = PointCloudDrops.Show(asset, null, null);
+        var cloud = PointCloudDrops.AddToScene(asset, null, null);
         EditorProject.Frames(world, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
         Assert.That(cloud.Error, Is.Null);
         UnityEngine.Object.DestroyImmediate(cloud.gameObject);
@@ -436,7 +436,7 @@ public sealed class EditorImportsTests : EditorFixture
         using var world = StreamingWorld();
         var stream = world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream;
         var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
-        var cloud = PointCloudDrops.Show(asset, new Vector3(1, 2, 3), null);
+        var cloud = PointCloudDrops.AddToScene(asset, new Vector3(1, 2, 3), null);
         Assert.That(cloud.transform.position.z, Is.EqualTo(3));
         EditorProject.Frames(world, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
         var entity = cloud.Entity;
@@ -473,7 +473,7 @@ public sealed class EditorImportsTests : EditorFixture
         }
         EditorProject.AwaitIdle(world);
         var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
-        var cloud = PointCloudDrops.Show(asset, null, null);
+        var cloud = PointCloudDrops.AddToScene(asset, null, null);
         world.Update();
         Assert.That(Asked(), Is.EqualTo(1));
         EditorProject.AwaitIdle(world);
@@ -510,7 +510,7 @@ public sealed class EditorImportsTests : EditorFixture
         Directory.Move(folder, folder + ".part");
         using var world = StreamingWorld();
         var group = world.GetExistingSystemManaged<PointCloudSystemGroup>();
-        var cloud = PointCloudDrops.Show(asset, null, null);
+        var cloud = PointCloudDrops.AddToScene(asset, null, null);
         EditorProject.Frames(world, () => world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
         EditorProject.AwaitIdle(world);
         Assert.That(group.NeedsFrame, Is.False);
@@ -543,7 +543,7 @@ public sealed class EditorImportsTests : EditorFixture
         var group = world.GetExistingSystemManaged<PointCloudSystemGroup>();
         var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 5000), "Assets");
         m_project.UpdateToTheEnd();
-        var cloud = PointCloudDrops.Show(asset, null, null);
+        var cloud = PointCloudDrops.AddToScene(asset, null, null);
         EditorApplication.isPlaying = EditorApplication.isPaused = true;
         try
         {

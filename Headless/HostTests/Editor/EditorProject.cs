@@ -61,7 +61,7 @@ sealed class EditorProject : IDisposable
     {
         UpdateToTheEnd();
         ImportProject.Updates(() => Imports.Update(DateTime.UtcNow),
-            () => !Imports.Thumbnails.IsDrawing && !Imports.Missing.IsSearching);
+            () => !Imports.Thumbnails.IsDrawing && !Imports.MissingData.IsSearchPending);
     }
 
     public static void Frames(World world, Func<bool> isDone)

@@ -26,7 +26,7 @@ sealed class ImportProject : IDisposable
 
     public ImportRequest Request(string name = "scan") => new ImportRequest
     {
-        Asset = "asset of " + name,
+        AssetGuid = "asset of " + name,
         Sources = { Source },
         Cloud = Paths.Stored(Target(name)),
     };

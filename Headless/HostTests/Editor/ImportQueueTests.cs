@@ -18,7 +18,7 @@ public sealed class ImportQueueTests
     ImportQueue Open()
     {
         var queue = new ImportQueue(m_project.Paths, _ => ImportProject.Settings());
-        queue.Ended += (request, session) => m_ended.Add(request.Asset + ": " + session.State);
+        queue.ConversionEnded += (request, session) => m_ended.Add(request.AssetGuid + ": " + session.State);
         return queue;
     }
 
@@ -109,9 +109,9 @@ public sealed class ImportQueueTests
 
         using var after = Open();
         string note = null;
-        after.Ended += (request, session) => note ??= session.Result.Note;
+        after.ConversionEnded += (request, session) => note ??= session.Result.Note;
         UpdateUntil(after, () => after.Session != null);
-        Assert.That(after.Requests.Select(r => r.Asset), Is.EqualTo(new[] { "asset of scan", "asset of other" }));
+        Assert.That(after.Requests.Select(r => r.AssetGuid), Is.EqualTo(new[] { "asset of scan", "asset of other" }));
         UpdateUntil(after, () => after.Requests.Count == 0);
         Assert.That(note, Does.StartWith("continued a build"));
         m_project.AssertIsWhole(m_project.Target());
@@ -126,7 +126,7 @@ public sealed class ImportQueueTests
             if (crash == 1)
                 queue.Add(m_project.Request());
             UpdateUntil(queue, () => queue.Session?.Progress.Current == "read");
-            Assert.That(queue.Running.Attempts, Is.EqualTo(crash));
+            Assert.That(queue.CurrentRequest.Attempts, Is.EqualTo(crash));
             Assert.That(Crash(queue), Has.Some.Contains("\"Running\""));
         }
 
@@ -221,7 +221,7 @@ public sealed class ImportQueueTests
         {
             before.Add(m_project.Request());
             UpdateUntil(before, () => before.Session?.Progress.Current == "read");
-            before.Pause(before.Running);
+            before.Pause(before.CurrentRequest);
             Assert.That(File.ReadAllText(FilePath), Does.Contain("\"Paused\""), "after a crash, too");
         }
         using var after = Open();
@@ -239,7 +239,7 @@ public sealed class ImportQueueTests
         using var queue = Open();
         ImportRequest one = m_project.Request("one"), two = m_project.Request("two");
         string note = null;
-        queue.Ended += (request, session) => note = session.Result.Note;
+        queue.ConversionEnded += (request, session) => note = session.Result.Note;
         queue.Add(one);
         UpdateUntil(queue, () => queue.Session?.Progress.Current == "index");
         queue.Pause(one);
@@ -248,7 +248,7 @@ public sealed class ImportQueueTests
         Assert.That(queue.Session.State, Is.EqualTo(ConversionState.Paused));
         queue.Add(two);
         queue.Tick(1, DateTime.UtcNow);
-        Assert.That((queue.Running, one.State), Is.EqualTo((two, ImportState.Paused)));
+        Assert.That((queue.CurrentRequest, one.State), Is.EqualTo((two, ImportState.Paused)));
         UpdateUntil(queue, () => m_ended.Count == 1);
 
         queue.Resume(one);
@@ -281,7 +281,7 @@ public sealed class ImportQueueTests
         Assert.That(queue.Requests, Has.Count.EqualTo(1));
         Assert.That(queue.ReservedPaths, Is.EqualTo(new[] { m_project.Target() }));
         UpdateUntil(queue, () => queue.Session != null);
-        var running = queue.Running;
+        var running = queue.CurrentRequest;
         queue.Add(m_project.Request());
         Assert.That(queue.Requests, Is.EqualTo(new[] { running }), "a folder that is being made stays with its request");
     }
@@ -294,7 +294,7 @@ public sealed class ImportQueueTests
         UpdateUntil(queue, () => queue.Session != null);
         int saves = queue.SaveCount;
         queue.Add(new[] { "b", "a", "c", "A" }.Select(m_project.Request).Append(m_project.Request("first")).ToArray());
-        Assert.That(queue.Requests.Select(r => r.Asset),
+        Assert.That(queue.Requests.Select(r => r.AssetGuid),
             Is.EqualTo(new[] { "asset of first", "asset of b", "asset of c", "asset of A" }));
         Assert.That(queue.SaveCount - saves, Is.EqualTo(1));
     }
@@ -315,7 +315,7 @@ public sealed class ImportQueueTests
         double share = 0;
         UpdateUntil(queue, () =>
         {
-            if (queue.Running?.OnlyNormalsLeft == true)
+            if (queue.CurrentRequest?.OnlyNormalsLeft == true)
             {
                 Assert.That(queue.Session.Fraction, Is.InRange(share, 1));
                 share = queue.Session.Fraction;
@@ -356,7 +356,7 @@ public sealed class ImportQueueTests
         using var queue = Open();
         queue.Add(RequestWithNormals());
         UpdateUntil(queue, () => queue.Session?.Progress.Current == AddNormals.Stage);
-        queue.Cancel(queue.Running);
+        queue.Cancel(queue.CurrentRequest);
         Assert.That((queue.Requests.Count, m_ended.Last()), Is.EqualTo((0, "asset of scan: Cancelled")));
         Assert.That(ImportProject.NormalLayerOf(m_project.Target()), Is.Zero);
         m_project.AssertIsWhole(m_project.Target());

@@ -137,7 +137,7 @@ public sealed class LeftoverTests : EditorFixture
         Updates();
         AssemblyReloadEvents.Reload();
         Directory.Delete("PointClouds", true);
-        SessionState.EraseString("FastPoints.MissingClouds");
+        SessionState.EraseString("FastPoints.MissingDataPrompt");
         EditorUtility.s_dialogs.Clear();
     }
 
@@ -163,7 +163,7 @@ public sealed class LeftoverTests : EditorFixture
     }
 
     void Look() => ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow),
-        () => !m_project.Imports.Missing.IsSearching);
+        () => !m_project.Imports.MissingData.IsSearchPending);
 
     [Test]
     public void Clone_Declined_AsksAboutLaterCloudsOnly()
@@ -172,7 +172,7 @@ public sealed class LeftoverTests : EditorFixture
         Look();
         Assert.That(EditorUtility.s_dialogs, Has.Count.EqualTo(1));
         AssemblyReloadEvents.Reload();
-        SessionState.EraseString("FastPoints.MissingClouds");
+        SessionState.EraseString("FastPoints.MissingDataPrompt");
         Look();
         Assert.That(EditorUtility.s_dialogs, Has.Count.EqualTo(1), "the next session");
 
@@ -211,7 +211,7 @@ public sealed class LeftoverTests : EditorFixture
         Assert.That(SpinWait.SpinUntil(() =>
         {
             m_project.Imports.Update(DateTime.UtcNow);
-            return !m_project.Imports.Missing.IsSearching;
+            return !m_project.Imports.MissingData.IsSearchPending;
         }, 500), Is.False);
         Assert.That(EditorUtility.s_dialogs, Is.Empty);
         EditorApplication.isPlaying = false;
@@ -260,7 +260,7 @@ public sealed class LeftoverTests : EditorFixture
             UnityEngine.Object.DestroyImmediate(inspector);
         }
         EditorUtility.s_dialogs.Clear();
-        SessionState.EraseString("FastPoints.MissingClouds");
+        SessionState.EraseString("FastPoints.MissingDataPrompt");
         Look();
         Assert.That(EditorUtility.s_dialogs, Is.Empty);
         Assert.That(Directory.Exists("PointClouds/one.fastpoints"), Is.False);
@@ -274,7 +274,7 @@ public sealed class LeftoverTests : EditorFixture
         m_logged.Clear();
         for (int i = 0; i < 2; i++)
         {
-            SessionState.EraseString("FastPoints.MissingClouds");
+            SessionState.EraseString("FastPoints.MissingDataPrompt");
             Look();
         }
         Assert.That(EditorUtility.s_dialogs, Is.Empty);
@@ -286,7 +286,7 @@ public sealed class LeftoverTests : EditorFixture
     {
         Clone("one");
         (Application.isBatchMode, FastPointsSettings.instance.ConvertAtOnce) = (isBatch, isBatch);
-        for (int i = 0; i < 3 || !isBatch && m_project.Imports.Missing.IsSearching; i++)
+        for (int i = 0; i < 3 || !isBatch && m_project.Imports.MissingData.IsSearchPending; i++)
             m_project.Imports.Update(DateTime.UtcNow);
         Assert.That(m_project.Imports.Queue.Requests, Is.Empty);
         if (isBatch)

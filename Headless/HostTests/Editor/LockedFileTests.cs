@@ -85,20 +85,20 @@ public sealed class LockedFileTests : EditorFixture
         Lock(Settings);
         AnswerCheckOuts(false);
         string before = File.ReadAllText(Settings);
-        settings.PlayerMiB = 7;
+        settings.PlayerWarningMiB = 7;
         settings.Save();
         Assert.That(m_logged.Single(), Does.StartWith("Error: FastPoints: the settings hold").And.Contains(Settings));
-        Assert.That((settings.PlayerMiB, File.ReadAllText(Settings)), Is.EqualTo((7, before)));
+        Assert.That((settings.PlayerWarningMiB, File.ReadAllText(Settings)), Is.EqualTo((7, before)));
 
         settings.Save();
         Assert.That((m_asked.Count, m_logged.Count), Is.EqualTo((1, 1)), "the same again, as each Undo has it saved");
 
         AnswerCheckOuts(true);
-        settings.PlayerMiB = 8;
+        settings.PlayerWarningMiB = 8;
         settings.Save();
 
         Assert.That(m_asked, Is.EqualTo(new[] { Settings, Settings }));
-        Assert.That(File.ReadAllText(Settings), Does.Contain("PlayerMiB: 8"));
+        Assert.That(File.ReadAllText(Settings), Does.Contain("PlayerWarningMiB: 8"));
     }
 
     [TestCase(true)]

@@ -40,7 +40,7 @@ public sealed class OriginTests : EditorFixture
             SerializedFields.Copy(asset, other);
             (asset, other.name, other.Crs) = (other, name, crs);
         }
-        var cloud = PointCloudDrops.Show(asset, null, origin?.transform);
+        var cloud = PointCloudDrops.AddToScene(asset, null, origin?.transform);
         ImportProject.Updates(Update, () => m_world.EntityManager.HasComponent<StreamedPointCloud>(cloud.Entity));
         return cloud;
     }
@@ -205,7 +205,7 @@ public sealed class OriginTests : EditorFixture
         var origin = Origin();
         origin.PositionGeo = new double3(1e6, 1e6, 0);
         var asset = m_project.Imports.CreateAsset(m_project.Scratch.Demo("scan.las", 3000), "Assets");
-        var cloud = PointCloudDrops.Show(asset, null, origin.transform);
+        var cloud = PointCloudDrops.AddToScene(asset, null, origin.transform);
         ImportProject.Updates(Update, () => cloud.TryGetSpace(out var space) && space.OriginGeo.x == 1e6);
         m_project.UpdateToTheEnd();
         Assert.That(asset.Origin.x, Is.InRange(asset.BoundsMin.x, asset.BoundsMax.x));

@@ -151,7 +151,7 @@ public sealed class PlayerCloudTests : EditorFixture
         foreach (var (limitMiB, warns) in new[] { (3, true), (4, false), (0, false) })
         {
             m_logged.Clear();
-            settings.PlayerMiB = limitMiB;
+            settings.PlayerWarningMiB = limitMiB;
             Build();
             Assert.That(m_logged.Count(l => l.Contains("point clouds have 3 MiB")), Is.EqualTo(warns ? 1 : 0));
         }
@@ -195,7 +195,7 @@ public sealed class PlayerCloudTests : EditorFixture
         Assert.That(added.Single().Key, Is.EqualTo(asset.PlayerSource));
         Assert.That(added.Single().Value, Is.EqualTo(source));
         Assert.That(m_logged.Single(), Does.Contain("as it is, with FastPoints.Import"));
-        string link = new PlayerReaders().GenerateAdditionalLinkXmlFile(null, null);
+        string link = new PlayerReaderLinker().GenerateAdditionalLinkXmlFile(null, null);
         var kept = XDocument.Load(link).Root.Element("assembly");
         Assert.That(System.Reflection.Assembly.Load((string)kept.Attribute("fullname"))
             .GetType((string)kept.Element("type").Attribute("fullname")),
@@ -209,7 +209,7 @@ public sealed class PlayerCloudTests : EditorFixture
     {
         Assert.That(Build().FolderOfPlayerPath, Is.Empty);
         Assert.That(m_logged, Is.Empty);
-        Assert.That(new PlayerReaders().GenerateAdditionalLinkXmlFile(null, null), Is.Null);
+        Assert.That(new PlayerReaderLinker().GenerateAdditionalLinkXmlFile(null, null), Is.Null);
     }
 
     [Test]

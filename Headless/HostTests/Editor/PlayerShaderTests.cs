@@ -28,9 +28,9 @@ public sealed class PlayerShaderTests
             return variants.Count;
         }
         int BuiltOfPass(Shader shader, string pass) =>
-            Built(v => new PlayerShaders().OnProcessShader(shader, new ShaderSnippetData { passName = pass }, v));
+            Built(v => new PlayerShaderStripper().OnProcessShader(shader, new ShaderSnippetData { passName = pass }, v));
         int BuiltOfKernels(ComputeShader shader) =>
-            Built(v => new PlayerShaders().OnProcessComputeShader(shader, ShaderNames.RasterDepthKernel, v));
+            Built(v => new PlayerShaderStripper().OnProcessComputeShader(shader, ShaderNames.RasterDepthKernel, v));
 
         string[] passes = shaders.Points.Source.Passes.Select(p => p.Name).ToArray();
         Assert.That(passes.Select(pass => BuiltOfPass(shaders.Points, pass)),

@@ -97,7 +97,7 @@ public sealed class PointFileClaimTests : EditorFixture
     public void Preview_InAWorker_FindsThePicture(string place)
     {
         FastPointsSettings.instance.PointFiles = PointFiles.Import;
-        Assert.That(PointCloudImports.Move(place), Is.Null);
+        Assert.That(PointCloudImports.SwitchConvertedRoot(place), Is.Null);
         FastPointsSettings.instance.Save();
         m_project.Scratch.Demo("project/Assets/one.las", 500);
         AssetDatabase.Refresh();

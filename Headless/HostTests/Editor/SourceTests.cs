@@ -37,7 +37,7 @@ public sealed class SourceTests : EditorFixture
     {
         Directory.CreateDirectory(m_project.Scratch["ann/city"]);
         m_project.Scratch.Demo("ann/city/scan.las", 2000);
-        PointCloudImports.MoveRoot(m_project.Scratch["ann"]);
+        PointCloudImports.SwitchSourceRoot(m_project.Scratch["ann"]);
         var asset = m_project.Imports.CreateAsset(m_project.Scratch["ann/city/scan.las"], "Assets");
         Assert.That(asset.ProjectSources, Is.EqualTo(new[] { "${FASTPOINTS_SOURCES}/city/scan.las" }));
         Assert.That(File.ReadAllText("Assets/scan.pointcloud"), Does.Not.Contain("ann"));
@@ -45,7 +45,7 @@ public sealed class SourceTests : EditorFixture
 
         m_project.Imports.Update(DateTime.UtcNow);
         Directory.Move(m_project.Scratch["ann"], m_project.Scratch["ben"]);
-        PointCloudImports.MoveRoot(m_project.Scratch["ben"]);
+        PointCloudImports.SwitchSourceRoot(m_project.Scratch["ben"]);
 
         Assert.That(asset.Paths.FullSources(), Is.EqualTo(new[] { m_project.Scratch["ben/city/scan.las"] }));
         ImportProject.Updates(() => m_project.Imports.Update(DateTime.UtcNow), () => asset.Points == 2000);

@@ -126,12 +126,12 @@ public sealed class TransferTests : EditorFixture
     public void Move_ToAnotherFolder_ConvertsThereAndKeepsOldClouds()
     {
         var before = Converted("before");
-        Assert.That(PointCloudImports.Move("Assets/x"), Does.Contain("Unity's own"));
+        Assert.That(PointCloudImports.SwitchConvertedRoot("Assets/x"), Does.Contain("Unity's own"));
         Assert.That(FastPointsSettings.instance.Place, Is.EqualTo("PointClouds"));
 
-        Assert.That(PointCloudImports.Move("Data/Clouds"), Is.Null);
+        Assert.That(PointCloudImports.SwitchConvertedRoot("Data/Clouds"), Is.Null);
 
-        using (var imports = new EditorImports(PointCloudImports.Paths, FastPointsSettings.instance))
+        using (var imports = new EditorImports(PointCloudImports.ConfiguredPaths, FastPointsSettings.instance))
         {
             var after = imports.CreateAsset(m_project.Scratch.Demo("after.las", 3000), "Assets");
             Assert.That(after.ProjectPath, Is.EqualTo("Data/Clouds/after.fastpoints"));
@@ -155,10 +155,10 @@ public sealed class TransferTests : EditorFixture
         Assert.That(asset.Paths.FullPath, Is.EqualTo(m_project.Paths.Absolute("PointClouds/" + folder)));
         Assert.That(asset.PlayerPath, Is.EqualTo("PointClouds/" + folder));
 
-        PointCloudImports.Move("Data/Clouds");
+        PointCloudImports.SwitchConvertedRoot("Data/Clouds");
 
         Assert.That(asset.Paths.FullPath, Is.EqualTo(m_project.Paths.Absolute("Data/Clouds/" + folder)));
-        Assert.That(PointCloudImports.Paths.Absolute(asset.ProjectPath), Is.EqualTo(asset.Paths.FullPath));
+        Assert.That(PointCloudImports.ConfiguredPaths.Absolute(asset.ProjectPath), Is.EqualTo(asset.Paths.FullPath));
         Assert.That(PointCloudImports.Current.HandleOf("Assets/tile.las").CloudPath, Is.EqualTo("Data/Clouds/" + folder));
     }
 
@@ -189,11 +189,11 @@ public sealed class TransferTests : EditorFixture
     public void Move_BeforeTheFirstUpdate_MovesTheRequests()
     {
         m_project.Imports.CreateAsset(m_project.Scratch.Demo("late.las", 2000), "Assets");
-        Assert.That(PointCloudImports.Move("Data/Clouds"), Is.Null);
-        PointCloudImports.MoveRoot(m_project.Scratch["root"]);
-        string cloud = PointCloudImports.Paths.Absolute(m_project.Imports.Queue.Requests.Single().Cloud);
+        Assert.That(PointCloudImports.SwitchConvertedRoot("Data/Clouds"), Is.Null);
+        PointCloudImports.SwitchSourceRoot(m_project.Scratch["root"]);
+        string cloud = PointCloudImports.ConfiguredPaths.Absolute(m_project.Imports.Queue.Requests.Single().Cloud);
         m_project.UpdateToTheEnd();
         Assert.That(CloudFolder.IsCloud(cloud), Is.True);
-        PointCloudImports.MoveRoot("");
+        PointCloudImports.SwitchSourceRoot("");
     }
 }

@@ -103,9 +103,9 @@ sealed class RemoteReadTests : RemoteFixture
         byte* memory = stackalloc byte[8];
         var command = new ReadCommand { Buffer = memory, Offset = 0, Size = 8 };
         using var read = new RemoteRead(null, &command, 1, 0);
-        read.Take(0, 0, new byte[] { 1, 2 });
+        read.Receive(0, 0, new byte[] { 1, 2 });
         read.Cancel();
-        read.Take(0, 2, new byte[] { 3, 4, 5, 6, 7, 8 });
+        read.Receive(0, 2, new byte[] { 3, 4, 5, 6, 7, 8 });
 
         Assert.That(new ReadOnlySpan<byte>(memory, 8).ToArray(), Is.EqualTo(new byte[] { 1, 2, 0, 0, 0, 0, 0, 0 }));
         Assert.That(read.IsDone && read.IsCancelled);

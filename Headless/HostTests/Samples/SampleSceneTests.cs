@@ -77,11 +77,11 @@ public sealed class SampleSceneTests
         Debug.s_sink = (type, text) => logged.Add(type + ": " + text);
         string folder = Path.GetDirectoryName(Street);
         File.WriteAllText(folder, "no folder");
-        Assert.That(SampleScan.Get(), Is.Null);
+        Assert.That(SampleScan.GetOrImport(), Is.Null);
         Assert.That(logged.Single(), Does.StartWith("Error: FastPoints: " + Street));
         File.Delete(folder);
         PutSmallStreet();
-        Assert.That(SampleScan.Get(), Is.Not.Null);
+        Assert.That(SampleScan.GetOrImport(), Is.Not.Null);
     }
 
     [Test]
@@ -148,7 +148,7 @@ public sealed class SampleSceneTests
     {
         PutSmallStreet();
 
-        var got = new[] { SampleScan.Get(), SampleScan.Get(), SampleScan.Get() };
+        var got = new[] { SampleScan.GetOrImport(), SampleScan.GetOrImport(), SampleScan.GetOrImport() };
 
         Assert.That(got[0], Is.Not.Null);
         Assert.That(got.Distinct().Count(), Is.EqualTo(1));
@@ -160,7 +160,7 @@ public sealed class SampleSceneTests
     public void Get_NewProject_CreatesTheDataFolder()
     {
         PutPackagedStreet();
-        SampleScan.Get();
+        SampleScan.GetOrImport();
         Assert.That(File.ReadAllLines("PointClouds/.gitignore"), Does.Contain("*"));
     }
 
@@ -169,13 +169,13 @@ public sealed class SampleSceneTests
     public void Get_AssetWithoutItsScan_CreatesItAgain()
     {
         PutSmallStreet();
-        var got = SampleScan.Get();
+        var got = SampleScan.GetOrImport();
         m_project.UpdateToTheEnd();
         AssemblyReloadEvents.Reload();
         Directory.Delete("PointClouds", true);
         PutPackagedStreet();
 
-        var again = SampleScan.Get();
+        var again = SampleScan.GetOrImport();
         m_project.UpdateToTheEnd();
 
         Assert.That(again, Is.SameAs(got));
@@ -187,7 +187,7 @@ public sealed class SampleSceneTests
     {
         PutPackagedStreet();
 
-        var asset = SampleScan.Get();
+        var asset = SampleScan.GetOrImport();
 
         Assert.That(File.ReadAllBytes(Street), Is.EqualTo(File.ReadAllBytes(m_project.Paths.Absolute(SampleScan.PackagedPath))));
         Assert.That(asset, Is.SameAs(m_project.Asset(SampleScan.AssetPath)));

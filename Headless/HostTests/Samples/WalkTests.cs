@@ -46,7 +46,7 @@ public sealed class WalkTests : GraphicsFixture
         m_target.Release();
         Resources.Assets.Clear();
         (Application.PlayerFiles, Camera.main) = (null, null);
-        FastPointsSettings.instance.CopiedMiB = 64;
+        FastPointsSettings.instance.MaxCopiedMiB = 64;
         FastPointsSettings.instance.SeveralFiles = SeveralFiles.Ask;
         Debug.s_sink = null;
         m_project.Dispose();
@@ -137,7 +137,7 @@ public sealed class WalkTests : GraphicsFixture
     /// <summary>Step 5.</summary>
     void DropScans()
     {
-        FastPointsSettings.instance.CopiedMiB = 0;
+        FastPointsSettings.instance.MaxCopiedMiB = 0;
         DragAndDrop.paths = new[] { m_project.Scratch.Demo("to scene.las", 20_000) };
         DragAndDrop.objectReferences = Array.Empty<Object>();
         DragAndDrop.Drop<DragAndDrop.SceneDropHandler>(null, Vector3.zero, default(Vector2), null, true);

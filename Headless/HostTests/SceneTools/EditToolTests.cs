@@ -80,7 +80,7 @@ public sealed class EditToolTests : SceneToolFixture
             using (var picker = new ScenePicker())
                 Assert.That(Find(picker, Down()).Point.Position, Is.EqualTo(first.Point.Position));
             // A redo restores the field, and says so.
-            EditPositions.instance.Counts[Array.IndexOf(EditPositions.instance.Clouds, m_path)] = 1;
+            AppliedEditCounts.instance.Counts[Array.IndexOf(AppliedEditCounts.instance.Clouds, m_path)] = 1;
             Undo.undoRedoPerformed();
             WaitForEdits(1);
         }

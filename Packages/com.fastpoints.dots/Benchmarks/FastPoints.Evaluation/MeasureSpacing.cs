@@ -99,7 +99,7 @@ namespace FastPoints.Evaluation
             {
                 yield return done;
                 done.Complete();
-                Take(job);
+                AddResults(job);
             }
             finally
             {
@@ -164,7 +164,7 @@ namespace FastPoints.Evaluation
             };
         }
 
-        void Take(in MeasureGroupsJob job)
+        void AddResults(in MeasureGroupsJob job)
         {
             int first = 0;
             foreach (var group in job.Groups)

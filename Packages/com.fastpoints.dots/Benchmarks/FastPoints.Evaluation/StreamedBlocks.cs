@@ -104,7 +104,7 @@ namespace FastPoints.Evaluation
                 if (drawn.Cloud != m_cloud)
                     continue;
                 var address = cloud.Pages[drawn.Page].Addresses[drawn.Node];
-                var inCube = cubes.PointIn(cloud.Pages + drawn.Page, drawn.Node);
+                var inCube = cubes.PositionInCube(cloud.Pages + drawn.Page, drawn.Node);
                 byte* at = m_pool.AddressOf(drawn.Range);
                 int blocks = cloud.Pages[drawn.Page].Nodes[drawn.Node].BlockCount;
                 to.Nodes.Add(new NodeBlocks

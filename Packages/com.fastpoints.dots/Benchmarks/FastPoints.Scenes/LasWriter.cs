@@ -111,7 +111,7 @@ namespace FastPoints.Scenes
         // Gives the file its name; not for the main thread of an editor.
         public void Complete()
         {
-            m_header.SetPoints(m_path, m_byReturn, m_min, m_max);
+            m_header.SetCountsAndBounds(m_path, m_byReturn, m_min, m_max);
             try
             {
                 var header = m_header.ToBytes();
@@ -163,7 +163,7 @@ namespace FastPoints.Scenes
                 m_max = math.max(m_max, position);
                 m_byReturn[record[14] & returnMask]++;
             }
-            m_header.Count += (ulong)count;
+            m_header.Count64 += (ulong)count;
         }
 
         static List<byte[]> Vlrs(LasWriterSettings settings)

@@ -25,9 +25,9 @@ namespace FastPoints.Editor
             string[] scenes = PlayerAssets.ScenesOf(buildPlayerContext.BuildPlayerOptions);
             FailBuildIfItThrows(() => Add(PlayerAssets.Of(scenes), clouds));
             Check(clouds, buildPlayerContext.BuildPlayerOptions.target);
-            PlayerReaders.s_areNeeded = clouds.HasSources;
+            PlayerReaderLinker.s_areNeeded = clouds.HasSources;
             foreach (var entry in clouds.Entries)
-                buildPlayerContext.AddAdditionalPathToStreamingAssets(entry.Folder, entry.PlayerPath);
+                buildPlayerContext.AddAdditionalPathToStreamingAssets(entry.DiskPath, entry.PlayerPath);
             if (clouds.Entries.Count > 0)
                 Debug.Log(clouds.Report());
             else if (AssetDatabase.FindAssets("t:" + nameof(PointCloudAsset)).Length is var known && known > 0)
@@ -75,7 +75,7 @@ namespace FastPoints.Editor
                 throw new BuildFailedException("FastPoints: players for " + target + " cannot open point clouds in their " +
                     "streaming assets, " + clouds.Entries[0].PlayerPath + " for one: take them out of the scenes, and see " +
                     "Limits in the manual");
-            int limitMiB = FastPointsSettings.instance.PlayerMiB;
+            int limitMiB = FastPointsSettings.instance.PlayerWarningMiB;
             if (limitMiB > 0 && clouds.Bytes >= (long)limitMiB << 20)
                 Debug.LogWarning("FastPoints: the player's point clouds have " + (clouds.Bytes >> 20) + " MiB. Project " +
                     "Settings > FastPoints says from where on this is told");
@@ -98,7 +98,7 @@ namespace FastPoints.Editor
 
     /// <summary>Makes code stripping keep the readers of point cloud files if a player has clouds that are not converted: nothing
     /// else in it refers to them.</summary>
-    internal sealed class PlayerReaders : IUnityLinkerProcessor
+    internal sealed class PlayerReaderLinker : IUnityLinkerProcessor
     {
         const string LinkXml = "<linker>\n" + "  <assembly fullname=\"FastPoints.Import\">\n" +
             "    <type fullname=\"FastPoints.Sources.PointFileReaders\" preserve=\"all\" />\n" +
@@ -114,7 +114,7 @@ namespace FastPoints.Editor
         {
             if (!s_areNeeded)
                 return null;
-            string path = PointCloudImports.Paths.Absolute("Library/FastPoints/link.xml");
+            string path = PointCloudImports.ConfiguredPaths.Absolute("Library/FastPoints/link.xml");
             Directory.CreateDirectory(Path.GetDirectoryName(path));
             File.WriteAllText(path, LinkXml);
             return path;

@@ -11,7 +11,7 @@ namespace FastPoints.Editor
     {
         public struct Entry
         {
-            public string Folder;
+            public string DiskPath;
 
             /// <summary>Path below the player's streaming assets.</summary>
             public string PlayerPath;
@@ -37,7 +37,7 @@ namespace FastPoints.Editor
         /// place.</exception>
         public void Add(string asset, string folder, string playerPath, ulong cloudId = 0)
         {
-            bool isKnown = IsKnown(asset, folder, playerPath);
+            bool isKnown = IsAddedOrThrow(asset, folder, playerPath);
             string manifestPath = Path.Combine(folder, StoreFormat.ManifestName);
             if (!File.Exists(manifestPath))
                 throw new PointCloudException(FailureCode.NotFound, asset, -1, "is not converted: wanted a cloud in " + folder +
@@ -48,9 +48,8 @@ namespace FastPoints.Editor
                     "was converted again elsewhere: got another cloud in " + folder);
             if (isKnown)
                 return;
-            var entry = new Entry { Folder = folder, PlayerPath = playerPath, Points = manifest.Points };
-            entry.Bytes = BytesOf(folder);
-            m_entries.Add(entry);
+            long bytes = BytesOf(folder);
+            m_entries.Add(new Entry { DiskPath = folder, PlayerPath = playerPath, Points = manifest.Points, Bytes = bytes });
         }
 
         /// <summary>Adds a cloud that is streamed directly, only once if several assets refer to it.</summary>
@@ -60,14 +59,14 @@ namespace FastPoints.Editor
         /// <exception cref="PointCloudException">It does not exist, or another cloud has its place.</exception>
         public void AddSource(string asset, string source, string playerPath, long points)
         {
-            if (IsKnown(asset, source, playerPath))
+            if (IsAddedOrThrow(asset, source, playerPath))
                 return;
             if (!File.Exists(source) && !Directory.Exists(source))
                 throw new PointCloudException(FailureCode.NotFound, asset, -1,
                     "is neither converted nor is there its source: wanted " + source);
             m_entries.Add(new Entry
             {
-                Folder = source,
+                DiskPath = source,
                 PlayerPath = playerPath,
                 Points = points,
                 Bytes = File.Exists(source) ? new FileInfo(source).Length : BytesOf(source),
@@ -75,12 +74,12 @@ namespace FastPoints.Editor
             });
         }
 
-        bool IsKnown(string asset, string folder, string playerPath)
+        bool IsAddedOrThrow(string asset, string folder, string playerPath)
         {
             int known = m_entries.FindIndex(e => string.Equals(e.PlayerPath, playerPath, StringComparison.OrdinalIgnoreCase));
-            if (known >= 0 && m_entries[known].Folder != folder)
+            if (known >= 0 && m_entries[known].DiskPath != folder)
                 throw PointCloudException.Wanted(FailureCode.WriteFailed, asset, -1, "place in the player " + playerPath,
-                    folder, m_entries[known].Folder);
+                    folder, m_entries[known].DiskPath);
             return known >= 0;
         }
 

@@ -101,7 +101,7 @@ namespace FastPoints.Editor
             m_progress = Progress.Start("Import " + m_sources.Length + " point cloud files", m_folder,
                 Progress.Options.Unmanaged);
             string folder = m_imports.Paths.Absolute(m_folder);
-            var (handles, targets) = (HandleFile.FreeHandleNames(folder), m_imports.NewTargets());
+            var (handles, targets) = (HandleFile.FreeHandlePaths(folder), m_imports.NewTargets());
             m_writing = PoolTask.Begin(folder, () => Write(clouds, handles, targets));
             return true;
         }
@@ -126,7 +126,7 @@ namespace FastPoints.Editor
         }
 
         /// <summary>On a pool thread.</summary>
-        List<Written> Write(List<string[]> clouds, FreeNames handles, FreeNames targets)
+        List<Written> Write(List<string[]> clouds, FreePaths handles, FreePaths targets)
         {
             var written = new List<Written>(clouds.Count);
             foreach (var sources in clouds)
@@ -171,12 +171,12 @@ namespace FastPoints.Editor
                 if (m_target != null)
                     shown.Add(AssetDatabase.LoadAssetAtPath<PointCloudAsset>(paths[i]));
                 m_imports.AddThumbnail(written[i].Handle);
-                if (m_imports.IsConvertedAtOnce(written[i].Handle))
+                if (m_imports.ShouldAutoConvert(written[i].Handle))
                     requests.Add(m_imports.RequestFor(paths[i], written[i].Handle));
                 yield return default;
             }
             // All at once: what the user does between two of them stays a step of Undo of its own.
-            m_target?.Show(shown.FindAll(asset => asset != null));
+            m_target?.AddToScene(shown.FindAll(asset => asset != null));
             m_imports.Queue.Add(requests);
         }
     }

@@ -65,18 +65,18 @@ namespace FastPoints.Editor
             yield return JobStep.Of(PoolTask.Run(cloud, () => EditCloud.GoTo(cloud, -1), count => after = count));
             if (after == before)
                 yield break;
-            var positions = EditPositions.instance;
-            positions.Set(cloud, before);
+            var applied = AppliedEditCounts.instance;
+            applied.Set(cloud, before);
             Undo.IncrementCurrentGroup();
-            Undo.RecordObject(positions, name);
-            positions.Set(cloud, after);
+            Undo.RecordObject(applied, name);
+            applied.Set(cloud, after);
         }
 
         static void Follow()
         {
-            foreach (var (cloud, count) in EditPositions.instance.TakeChanged())
+            foreach (var (cloud, count) in AppliedEditCounts.instance.TakeChanged())
                 s_waiting.Enqueue((cloud, PoolTask.Run(cloud, () => EditCloud.GoTo(cloud, count),
-                    moved => EditPositions.instance.Set(cloud, moved))));
+                    moved => AppliedEditCounts.instance.Set(cloud, moved))));
         }
 
         static void Cancel()

@@ -41,7 +41,7 @@ namespace FastPoints.Editor
         /// <summary>Makes a GameObject for each cloud and selects what was made: a step of Undo with nothing else in it. Several
         /// share an origin, which is made if there is none.</summary>
         /// <returns>The last one; null if the target was destroyed.</returns>
-        public GameObject Show(IReadOnlyList<PointCloudAsset> assets)
+        public GameObject AddToScene(IReadOnlyList<PointCloudAsset> assets)
         {
             if (IsDestroyed || assets.Count == 0)
                 return null;
@@ -52,13 +52,13 @@ namespace FastPoints.Editor
                 origin = ObjectFactory.AddComponent<PointCloudOrigin>(Create(OriginName, Parent, true));
             GameObject cloud = null;
             foreach (var asset in assets)
-                cloud = Show(asset, origin);
+                cloud = AddToScene(asset, origin);
             Selection.activeObject = assets.Count > 1 ? origin.gameObject : cloud;
             Undo.IncrementCurrentGroup();
             return cloud;
         }
 
-        GameObject Show(PointCloudAsset asset, PointCloudOrigin origin)
+        GameObject AddToScene(PointCloudAsset asset, PointCloudOrigin origin)
         {
             var made = origin != null ? Create(asset.name, origin.transform, false) : Create(asset.name, Parent, true);
             if (Point.HasValue && origin == null)

@@ -54,7 +54,7 @@ namespace FastPoints.Editor
                 return false;
             s_polled = now;
             var imports = PointCloudImports.Current;
-            return group.IsFollowing || imports?.Queue.Running is { } running &&
+            return group.IsFollowing || imports?.Queue.CurrentRequest is { } running &&
                 group.IsShown(imports.Paths.Absolute(running.Cloud));
         }
 

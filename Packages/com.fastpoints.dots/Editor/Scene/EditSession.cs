@@ -52,7 +52,7 @@ namespace FastPoints.Editor
         /// <returns>Whether there is something new to be drawn.</returns>
         public bool Update(double budgetMs)
         {
-            bool isNew = m_picker.IsSearching && m_picker.Update(budgetMs) && Take(m_picker.Pick);
+            bool isNew = m_picker.IsSearching && m_picker.Update(budgetMs) && AddToStroke(m_picker.Pick);
             BeginNext();
             if (!m_isEnding || m_hasNext || m_picker.IsSearching)
                 return isNew;
@@ -111,7 +111,7 @@ namespace FastPoints.Editor
                 Note = "no point cloud is shown";
         }
 
-        bool Take(StreamPick pick)
+        bool AddToStroke(StreamPick pick)
         {
             Note = pick.Failure;
             if (pick.Point == null || m_stroke.Count > 0 && m_stroke[0].Path != pick.Path)

@@ -47,15 +47,15 @@ namespace FastPoints.Editor
             Session.Lasso.Clear();
         }
 
-        protected override bool Escape(bool isPressed)
+        protected override bool Escape(bool isDragging)
         {
-            if (isPressed)
+            if (isDragging)
             {
                 GUIUtility.hotControl = 0;
                 Session.ClearStroke();
                 Session.Lasso.Clear();
             }
-            return isPressed;
+            return isDragging;
         }
 
         static PointCloud Selected => SceneExport.Selected != null ? SceneExport.Selected : null;

@@ -14,7 +14,7 @@ namespace FastPoints.Editor
 
         protected override void Press(PointQuery ray) => Session.Begin(ray);
 
-        protected override bool Escape(bool isPressed)
+        protected override bool Escape(bool isDragging)
         {
             bool isShown = Session.Lines.Count > 0;
             Session.Clear();

@@ -78,14 +78,14 @@ namespace FastPoints.Editor
             DragAndDrop.AcceptDrag();
             if (isFiles)
                 Import("Assets", target);
-            target.Show(assets);
+            target.AddToScene(assets);
             return DragAndDropVisualMode.Copy;
         }
 
         /// <summary>Makes a GameObject for a cloud; Undo removes it.</summary>
         /// <returns>Null in a subscene, where it has a <see cref="PointCloudAuthoring"/>.</returns>
-        public static PointCloud Show(PointCloudAsset asset, Vector3? position, Transform parent) =>
-            new DropTarget { Point = position, Parent = parent }.Show(new[] { asset })?.GetComponent<PointCloud>();
+        public static PointCloud AddToScene(PointCloudAsset asset, Vector3? position, Transform parent) =>
+            new DropTarget { Point = position, Parent = parent }.AddToScene(new[] { asset })?.GetComponent<PointCloud>();
 
         static void Import(string folder, DropTarget target)
         {
@@ -93,7 +93,7 @@ namespace FastPoints.Editor
             if (DragAndDrop.paths.Length > 1)
                 imports.CreateAsset(DragAndDrop.paths, folder, target);
             else if (imports.CreateAsset(DragAndDrop.paths[0], folder) is { } asset)
-                target?.Show(new[] { asset });
+                target?.AddToScene(new[] { asset });
         }
 
         /// <summary>Of the dragged files. A drag has some sixty events a second: files are inspected once.</summary>
@@ -101,7 +101,7 @@ namespace FastPoints.Editor
         {
             var (paths, now) = (DragAndDrop.paths, DateTime.UtcNow);
             if (perform || now - s_dragged.Utc > s_cacheTime || !paths.SequenceEqual(s_dragged.Paths))
-                s_dragged = (paths, CloudSources.Of(paths, imports.Paths, imports.MaxCopiedBytes), now);
+                s_dragged = (paths, CloudSources.DropKindOf(paths, imports.Paths, imports.MaxCopiedBytes), now);
             s_dragged.Utc = now;
             return s_dragged.Kind;
         }

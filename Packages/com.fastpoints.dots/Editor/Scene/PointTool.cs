@@ -97,7 +97,7 @@ namespace FastPoints.Editor
 
         protected virtual void Release() { }
 
-        protected abstract bool Escape(bool isPressed);
+        protected abstract bool Escape(bool isDragging);
 
         void Update()
         {

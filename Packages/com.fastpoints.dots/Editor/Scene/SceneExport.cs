@@ -46,7 +46,7 @@ namespace FastPoints.Editor
                 var sources = SourcesOf(cloud, shown, imports);
                 var taken = new List<string>(Directory.GetFileSystemEntries(folder));
                 taken.AddRange(imports.Exports.ReservedPaths);
-                string path = new FreeNames(folder, ".laz", taken).Next(cloud.gameObject.name);
+                string path = new FreePaths(folder, ".laz", taken).Next(cloud.gameObject.name);
                 imports.Exports.Begin(sources, path, new ExportSettings
                 {
                     Clips = clips,

@@ -15,7 +15,7 @@ namespace FastPoints.Surface
         readonly Stack<(MeshCollider, Mesh)> m_free = new Stack<(MeshCollider, Mesh)>();
         readonly List<Object> m_owned = new List<Object>();
 
-        public MeshColliders(in OpenedSurface opened, in SurfaceGrid grid, ClassMask hidden, in UnitySpace space,
+        public MeshColliders(in OpenedSurface opened, in SurfaceGrid grid, ClassMask hidden, in UnityLocalSpace space,
             Transform parent) : base(opened, grid, hidden, space) => m_parent = parent;
 
         public override void Dispose()

@@ -162,7 +162,7 @@ namespace FastPoints.Surface
             return true;
         }
 
-        (UnitySpace Space, double4x4 ToWorld) SpaceOf(CloudManifest manifest)
+        (UnityLocalSpace Space, double4x4 ToWorld) SpaceOf(CloudManifest manifest)
         {
             var entities = m_system.EntityManager;
             var space = entities.HasComponent<PointCloudSpace>(m_cloud)
@@ -180,11 +180,11 @@ namespace FastPoints.Surface
         readonly MakeGroundSystem m_system;
         readonly double3x3 m_linear;
 
-        public BodyColliders(in OpenedSurface opened, in PointCloudGround made, in UnitySpace space, in double4x4 toWorld,
+        public BodyColliders(in OpenedSurface opened, in PointCloudGround made, in UnityLocalSpace space, in double4x4 toWorld,
             MakeGroundSystem system) : base(opened, GridOf(made.VoxelSize, made.HoleSize), made.HiddenClasses, space) =>
             (m_entities, m_system, m_linear) = (system.EntityManager, system, LinearOf(toWorld));
 
-        public bool IsMadeBy(in PointCloudGround made, in UnitySpace space, in double4x4 toWorld) =>
+        public bool IsMadeBy(in PointCloudGround made, in UnityLocalSpace space, in double4x4 toWorld) =>
             IsMadeBy(GridOf(made.VoxelSize, made.HoleSize), made.HiddenClasses, space) && m_linear.Equals(LinearOf(toWorld));
 
         public override void Dispose()

@@ -29,7 +29,7 @@ namespace FastPoints.Surface
         readonly double3x3 m_fromCloud;
         List<double3> m_places = new List<double3>(), m_planned = new List<double3>();
         EditPlan m_edits; // Null for the cloud as it is stored.
-        UnitySpace m_space;
+        UnityLocalSpace m_space;
         double4x4 m_toWorld;
         double3 m_lengths;
         double m_radius;
@@ -38,7 +38,7 @@ namespace FastPoints.Surface
         PoolTask<bool> m_writing;
 
         /// <param name="opened">Is owned from now on.</param>
-        protected SurfaceColliders(in OpenedSurface opened, in SurfaceGrid grid, ClassMask hidden, in UnitySpace space)
+        protected SurfaceColliders(in OpenedSurface opened, in SurfaceGrid grid, ClassMask hidden, in UnityLocalSpace space)
         {
             var manifest = opened.Folder.Manifest;
             (m_opened, m_grid, m_hidden, m_space, m_scale) = (opened, grid, hidden, space, space.Scale);
@@ -64,13 +64,13 @@ namespace FastPoints.Surface
         public bool IsWriting => m_writing != null && !m_writing.IsDone;
 
         /// <summary>Whether it would be made in the same way.</summary>
-        public bool IsMadeBy(in SurfaceGrid grid, ClassMask hidden, in UnitySpace space) => m_grid.Equals(grid) &&
+        public bool IsMadeBy(in SurfaceGrid grid, ClassMask hidden, in UnityLocalSpace space) => m_grid.Equals(grid) &&
             m_hidden.Equals(hidden) && m_space.Up == space.Up &&
             math.all(math.abs(space.Scale - m_scale) <= MaxScaleChange * m_scale);
 
         /// <summary>Plans anew where something has moved, and moves colliders where the cloud has.</summary>
         /// <param name="followed">Positions in the world.</param>
-        public void Follow(in UnitySpace space, in double4x4 toWorld, List<double3> followed, double radius)
+        public void Follow(in UnityLocalSpace space, in double4x4 toWorld, List<double3> followed, double radius)
         {
             bool isElsewhere = !m_space.OriginGeo.Equals(space.OriginGeo) || !m_toWorld.Equals(toWorld);
             (m_space, m_toWorld) = (space, toWorld);

@@ -143,7 +143,7 @@ namespace FastPoints.Surface
                 yield return m_transcoder.Done;
                 m_transcoder.EndOrThrow();
                 int blocks = 0, points = 0;
-                m_transcoder.Made(ref blocks, ref points);
+                m_transcoder.CorrectCounts(ref blocks, ref points);
                 batch = new PointBatch(m_schema, Math.Max(1, points), Allocator.Persistent) { Count = points };
                 unpacked = Unpack(node, blocks, batch);
                 yield return unpacked;

@@ -10,19 +10,19 @@ namespace FastPoints.UnityTests
     [Category("Smoke")]
     public sealed class DropTests : TestProjectFixture
     {
-        int m_copiedMiB;
+        int m_maxCopiedMiB;
 
         [SetUp]
         public void CopyNothing()
         {
-            m_copiedMiB = FastPointsSettings.instance.CopiedMiB;
-            FastPointsSettings.instance.CopiedMiB = 0;
+            m_maxCopiedMiB = FastPointsSettings.instance.MaxCopiedMiB;
+            FastPointsSettings.instance.MaxCopiedMiB = 0;
         }
 
         [TearDown]
         public void CopyAsBefore()
         {
-            FastPointsSettings.instance.CopiedMiB = m_copiedMiB;
+            FastPointsSettings.instance.MaxCopiedMiB = m_maxCopiedMiB;
             DragAndDrop.PrepareStartDrag();
         }
 

@@ -23,7 +23,7 @@ namespace FastPoints.UnityTests
                 Assert.Ignore(GraphicsNodePool.UnsupportedReason ?? "without a graphics device no camera draws");
             // The usual camera looks along Z from ten metres before the cloud.
             var scene = EditorSceneManager.NewScene(NewSceneSetup.DefaultGameObjects, NewSceneMode.Single);
-            PointCloudDrops.Show(TestProject.TakeScan(), Vector3.zero, null).gameObject.name = CloudName;
+            PointCloudDrops.AddToScene(TestProject.TakeScan(), Vector3.zero, null).gameObject.name = CloudName;
             EditorSceneManager.SaveScene(scene, TestProject.Scene);
             var deadline = TestProject.Deadline();
             while (TestProject.IsConverting)

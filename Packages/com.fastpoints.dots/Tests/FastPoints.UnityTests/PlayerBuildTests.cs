@@ -18,7 +18,7 @@ namespace FastPoints.UnityTests
         {
             var asset = TestProject.TakeScan();
             var scene = EditorSceneManager.NewScene(NewSceneSetup.DefaultGameObjects, NewSceneMode.Single);
-            PointCloudDrops.Show(asset, Vector3.zero, null);
+            PointCloudDrops.AddToScene(asset, Vector3.zero, null);
             EditorSceneManager.SaveScene(scene, TestProject.Scene);
             var deadline = TestProject.Deadline();
             while (TestProject.IsConverting)

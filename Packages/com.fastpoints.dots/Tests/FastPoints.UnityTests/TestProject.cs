@@ -57,7 +57,7 @@ namespace FastPoints.UnityTests
             SessionState.EraseInt(PointFilesBefore);
             EditorSceneManager.NewScene(NewSceneSetup.EmptyScene, NewSceneMode.Single);
             foreach (var request in new List<ImportRequest>(Imports.Queue.Requests))
-                if (AssetDatabase.GUIDToAssetPath(request.Asset).StartsWith(Folder, StringComparison.Ordinal))
+                if (AssetDatabase.GUIDToAssetPath(request.AssetGuid).StartsWith(Folder, StringComparison.Ordinal))
                     Imports.Queue.Cancel(request);
             if (AssetDatabase.IsValidFolder(Folder))
             {

@@ -14,7 +14,7 @@ namespace FastPoints.Editor
         public static void All()
         {
             var imports = PointCloudImports.Current;
-            imports.Claims.AddExisting();
+            imports.PointFilePrompt.AddExisting();
             Convert(imports, new List<string>(imports.Assets.All.Keys));
         }
 
@@ -59,7 +59,7 @@ namespace FastPoints.Editor
             try
             {
                 var handle = imports.HandleOf(asset);
-                return imports.IsConverted(handle) && imports.Catalog.Find(handle, out _) != CatalogMatch.InPlace
+                return imports.ShouldConvert(handle) && imports.Catalog.Find(handle, out _) != CatalogMatch.InPlace
                     ? imports.RequestFor(asset, handle) : null;
             }
             catch (PointCloudException e)

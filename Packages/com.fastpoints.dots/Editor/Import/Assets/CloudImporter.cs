@@ -71,15 +71,15 @@ namespace FastPoints.Editor
         /// <summary>Where the cloud was first shown; another up axis has another floor.</summary>
         double3? OriginOf(CloudHandle handle) => handle.OriginUp == UpAxis ? handle.Origin
             : handle.BoundsGeo.IsEmpty || !handle.BoundsGeo.IsFinite ? (double3?)null
-            : UnitySpace.Of(handle.BoundsGeo, handle.Units, UpAxis).OriginGeo;
+            : UnityLocalSpace.Of(handle.BoundsGeo, handle.Units, UpAxis).OriginGeo;
     }
 
     internal static class PlayerPath
     {
         /// <summary>The same path as in the project if the cloud is in the place of converted clouds; otherwise one made of its
         /// name and its asset.</summary>
-        /// <param name="asset">The asset's number, which keeps clouds with equal names apart.</param>
-        public static string Of(string cloudPath, string asset)
+        /// <param name="guid">The asset's number, which keeps clouds with equal names apart.</param>
+        public static string Of(string cloudPath, string guid)
         {
             const string folder = ProjectPaths.DefaultClouds + "/";
             if (cloudPath.StartsWith(PointCloudPaths.ConvertedRootPrefix, StringComparison.Ordinal))
@@ -87,12 +87,12 @@ namespace FastPoints.Editor
             if (cloudPath.StartsWith(folder, StringComparison.Ordinal) && cloudPath.IndexOf('/', folder.Length) < 0)
                 return cloudPath;
             string name = AssetNaming.Safe(Path.GetFileNameWithoutExtension(cloudPath.TrimEnd('/', '\\')));
-            return folder + name + "-" + Short(asset) + StoreFormat.FolderExtension;
+            return folder + name + "-" + Short(guid) + StoreFormat.FolderExtension;
         }
 
-        public static string OfSource(string source, string asset) => ProjectPaths.DefaultClouds + "/" + Short(asset) + "/" +
+        public static string OfSource(string source, string guid) => ProjectPaths.DefaultClouds + "/" + Short(guid) + "/" +
             AssetNaming.Safe(Path.GetFileName(source.TrimEnd('/', '\\')));
 
-        static string Short(string asset) => asset.Substring(0, Math.Min(8, asset.Length));
+        static string Short(string guid) => guid.Substring(0, Math.Min(8, guid.Length));
     }
 }

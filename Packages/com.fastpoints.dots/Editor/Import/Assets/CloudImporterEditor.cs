@@ -113,8 +113,8 @@ namespace FastPoints.Editor
                 catalog.Refresh();
                 m_handle = PointCloudImports.Current.HandleOf(Asset);
                 m_match = catalog.Find(m_handle, out m_cloud);
-                m_missing = CloudRelocation.FindMissing(m_handle, PointCloudImports.Paths);
-                string cloud = PointCloudImports.Paths.Absolute(m_handle.CloudPath);
+                m_missing = CloudRelocation.FindMissingSource(m_handle, PointCloudImports.ConfiguredPaths);
+                string cloud = PointCloudImports.ConfiguredPaths.Absolute(m_handle.CloudPath);
                 if (!File.Exists(CloudThumbnails.PathOf(cloud)))
                     PointCloudImports.Current.AddThumbnail(m_handle);
             }
@@ -139,7 +139,8 @@ namespace FastPoints.Editor
             foreach (string source in handle.Sources)
                 EditorGUILayout.LabelField("Source", source);
             EditorGUILayout.LabelField("Converted", handle.CloudPath);
-            if (PointCloudImports.Current.Assets.Of(PointCloudImports.Paths.Absolute(handle.CloudPath)) is { Count: > 1 } users)
+            string cloudPath = PointCloudImports.ConfiguredPaths.Absolute(handle.CloudPath);
+            if (PointCloudImports.Current.Assets.Of(cloudPath) is { Count: > 1 } users)
                 EditorGUILayout.HelpBox("One cloud of several assets: " + string.Join(", ", users), MessageType.Info);
             if (handle.Warnings.Count > 0)
                 EditorGUILayout.HelpBox(string.Join("\n", handle.Warnings), MessageType.Warning);

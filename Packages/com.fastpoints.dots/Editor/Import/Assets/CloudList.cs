@@ -27,7 +27,7 @@ namespace FastPoints.Editor
             public long Bytes;
 
             /// <summary>The first missing source; null if none is.</summary>
-            public string Missing;
+            public string MissingSource;
             public bool IsConverted;
 
             /// <summary>Whether it can be converted and is not, or an older one is, and does not wait for it; of several assets
@@ -79,7 +79,7 @@ namespace FastPoints.Editor
                 var row = Describe(pair.Key, pair.Value, catalog, paths, convertsOctrees);
                 row.Bytes = measures ? BytesOf(CloudFolder.Find(pair.Value), cancelled) : 0;
                 row.IsWanted &= isFirst;
-                row.IsLost = isFirst && row.Missing != null && !row.IsConverted;
+                row.IsLost = isFirst && row.MissingSource != null && !row.IsConverted;
                 list.Rows.Add(row);
             }
             list.Rows.Sort((a, b) => string.CompareOrdinal(a.Asset, b.Asset));
@@ -105,16 +105,16 @@ namespace FastPoints.Editor
                 if (asset.EndsWith(CloudHandle.Extension, StringComparison.OrdinalIgnoreCase))
                     handle = HandleFile.Read(paths.Absolute(asset));
                 var match = catalog.Find(handle, out var cloud);
-                if (match == CatalogMatch.InPlace || match == CatalogMatch.Building)
+                if (match == CatalogMatch.InPlace || match == CatalogMatch.Unfinished)
                     row = Of(cloud);
                 else
                     row.State = handle.IsSourceOctree ? "streamed as it is" : match == CatalogMatch.Moved ? "converted data moved"
                         : match == CatalogMatch.Another ? "another cloud's data" : "not converted";
-                row.Missing = CloudRelocation.FindMissing(handle, paths);
+                row.MissingSource = CloudRelocation.FindMissingSource(handle, paths);
                 // A changed source never converts to the cloud of the handle: the question would return for ever.
-                row.IsWanted = row.Missing == null && handle.Sources.Count > 0 && (convertsOctrees || !handle.IsSourceOctree) &&
-                    (match == CatalogMatch.None || match == CatalogMatch.Another && handle.Stamp != null &&
-                    handle.Stamp.Compare(handle.Sources.ConvertAll(paths.Absolute)) == SourceChange.None);
+                row.IsWanted = row.MissingSource == null && handle.Sources.Count > 0 &&
+                    (convertsOctrees || !handle.IsSourceOctree) && (match == CatalogMatch.None || match == CatalogMatch.Another &&
+                    handle.Stamp?.Compare(handle.Sources.ConvertAll(paths.Absolute)) == SourceChange.None);
             }
             catch (PointCloudException e)
             {
@@ -129,8 +129,8 @@ namespace FastPoints.Editor
         {
             Cloud = cloud.Path,
             Points = cloud.Manifest?.Points ?? -1,
-            State = cloud.Problem ?? (cloud.IsBuilding ? "not finished" : "converted"),
-            IsConverted = cloud.Manifest != null && !cloud.IsBuilding,
+            State = cloud.Problem ?? (cloud.IsUnfinished ? "not finished" : "converted"),
+            IsConverted = cloud.Manifest != null && !cloud.IsUnfinished,
         };
 
         static long BytesOf(string folder, CancellationToken cancelled)

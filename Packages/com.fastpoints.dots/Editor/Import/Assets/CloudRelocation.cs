@@ -9,7 +9,7 @@ namespace FastPoints.Editor
     internal static class CloudRelocation
     {
         /// <summary>The first missing source of a handle; null if none is.</summary>
-        public static string FindMissing(CloudHandle handle, ProjectPaths paths) =>
+        public static string FindMissingSource(CloudHandle handle, ProjectPaths paths) =>
             handle.Sources.ConvertAll(paths.Absolute).Find(s => !File.Exists(s) && !Directory.Exists(s));
 
         /// <summary>Asks the user where a source is, and whether to update other assets whose sources moved along.</summary>

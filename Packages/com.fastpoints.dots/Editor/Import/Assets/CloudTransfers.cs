@@ -28,7 +28,7 @@ namespace FastPoints.Editor
         /// <returns>The copy's folder, which exists when the copy is complete.</returns>
         public string ExportCopy(string cloud, string folder)
         {
-            string to = FreeName(cloud, folder);
+            string to = FreePath(cloud, folder);
             Begin("Export ", cloud, to, null);
             return to;
         }
@@ -38,7 +38,7 @@ namespace FastPoints.Editor
         public void Import(string cloud, ProjectPaths paths, Action<string> done)
         {
             Directory.CreateDirectory(paths.Clouds);
-            Begin("Import ", cloud, FreeName(cloud, paths.Clouds), done);
+            Begin("Import ", cloud, FreePath(cloud, paths.Clouds), done);
         }
 
         public void Update()
@@ -107,12 +107,12 @@ namespace FastPoints.Editor
         }
 
         /// <summary>A free name, which no running copy uses either.</summary>
-        string FreeName(string cloud, string folder)
+        string FreePath(string cloud, string folder)
         {
             var taken = m_transfers.ConvertAll(t => t.Copy.To);
             if (Directory.Exists(folder))
                 taken.AddRange(Directory.GetFileSystemEntries(folder));
-            return new FreeNames(folder, StoreFormat.FolderExtension, taken)
+            return new FreePaths(folder, StoreFormat.FolderExtension, taken)
                 .Next(Path.GetFileNameWithoutExtension(cloud.TrimEnd('/', '\\')));
         }
     }

@@ -13,7 +13,7 @@ namespace FastPoints.Editor
     /// those that nothing uses.</summary>
     internal sealed class CloudsWindow : EditorWindow
     {
-        const int RowsPerPage = 200, MaxQueued = 50; // More would make each repaint slow.
+        const int RowsPerPage = 200, MaxListedRequests = 50; // More would make each repaint slow.
 
         PoolTask<CloudList> m_collecting;
         CancellationTokenSource m_cancel;
@@ -92,15 +92,15 @@ namespace FastPoints.Editor
             // Buttons change the queue.
             foreach (var request in new List<ImportRequest>(imports.Queue.Requests))
             {
-                if (number == MaxQueued)
+                if (number == MaxListedRequests)
                 {
-                    GUILayout.Label((imports.Queue.Requests.Count - MaxQueued) + " more wait");
+                    GUILayout.Label((imports.Queue.Requests.Count - MaxListedRequests) + " more wait");
                     break;
                 }
-                EditorGUILayout.LabelField(++number + ". " + AssetDatabase.GUIDToAssetPath(request.Asset),
+                EditorGUILayout.LabelField(++number + ". " + AssetDatabase.GUIDToAssetPath(request.AssetGuid),
                     CloudImporterEditor.Describe(imports.Queue, request));
                 GUILayout.BeginHorizontal();
-                if (request != imports.Queue.Running && GUILayout.Button("Next"))
+                if (request != imports.Queue.CurrentRequest && GUILayout.Button("Next"))
                     imports.Queue.MoveFirst(request);
                 if (GUILayout.Button("Cancel " + number))
                     imports.Cancel(request);
@@ -122,10 +122,10 @@ namespace FastPoints.Editor
                 Selection.activeObject = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(row.Asset);
             if (row.IsWanted && GUILayout.Button("Convert"))
                 Convert(new List<CloudList.Row> { row });
-            if (row.Missing != null && GUILayout.Button("Locate source..."))
+            if (row.MissingSource != null && GUILayout.Button("Locate source..."))
             {
                 m_shown = null;
-                CloudRelocation.Prompt(PointCloudImports.Current, row.Asset, row.Missing);
+                CloudRelocation.Prompt(PointCloudImports.Current, row.Asset, row.MissingSource);
                 // Other windows were drawn while the panel was open: this one's layout is lost.
                 GUIUtility.ExitGUI();
             }
@@ -178,8 +178,9 @@ namespace FastPoints.Editor
             }
         }
 
-        static string Text(in CloudList.Row row) => (row.Missing != null ? "source is not there (" + row.Missing + "), " : "") +
-            row.State + (row.Points < 0 ? "" : ", " + row.Points.ToString("N0", CultureInfo.InvariantCulture) + " points") +
+        static string Text(in CloudList.Row row) =>
+            (row.MissingSource != null ? "source is not there (" + row.MissingSource + "), " : "") + row.State +
+            (row.Points < 0 ? "" : ", " + row.Points.ToString("N0", CultureInfo.InvariantCulture) + " points") +
             (row.Bytes == 0 ? "" : ", " + Size(row.Bytes));
 
         static string Size(long bytes) => (bytes * 1e-6).ToString("0.0", CultureInfo.InvariantCulture) + " MB";

@@ -39,18 +39,19 @@ namespace FastPoints.Editor
             if (PointCloudImports.IsMainEditor)
                 FileChanges.BeginDeleteLeftovers(paths.Clouds, "*" + StoreFormat.FolderExtension + "*");
             Queue = new ImportQueue(paths, settings.ForConversion);
-            Queue.Ended += End;
+            Queue.ConversionEnded += End;
             m_progress = new QueueProgress(this);
             Thumbnails.Drawn += m_drawn.Add;
             Catalog = new CloudCatalog(paths);
             Assets = new CloudAssets(paths);
             UnusedClouds = new UnusedCloudPrompt(this);
-            Claims = new PointFilePrompt(settings);
-            Missing = new MissingClouds(this);
+            PointFilePrompt = new PointFilePrompt(settings);
+            MissingData = new MissingDataPrompt(this);
             m_parts = new Action[]
             {
                 UpdateQueue, () => Verification.Update(m_budgetMs), Transfers.Update, () => Exports.Update(m_budgetMs),
-                UnusedClouds.Prompt, Claims.Update, Missing.Update, () => Thumbnails.Update(m_budgetMs), UpdateDrops, Report,
+                UnusedClouds.Prompt, PointFilePrompt.Update, MissingData.Update, () => Thumbnails.Update(m_budgetMs),
+                UpdateDrops, Report,
             };
         }
 
@@ -59,15 +60,15 @@ namespace FastPoints.Editor
         internal CloudCatalog Catalog { get; }
         internal CloudAssets Assets { get; }
         internal UnusedCloudPrompt UnusedClouds { get; }
-        internal PointFilePrompt Claims { get; }
-        internal MissingClouds Missing { get; }
+        internal PointFilePrompt PointFilePrompt { get; }
+        internal MissingDataPrompt MissingData { get; }
         internal EditorVerification Verification { get; } = new EditorVerification();
         internal CloudTransfers Transfers { get; } = new CloudTransfers();
         internal CloudExports Exports { get; } = new CloudExports();
         internal CloudThumbnails Thumbnails { get; } = new CloudThumbnails();
 
         /// <summary>The largest file in bytes that may be copied into the project.</summary>
-        public long MaxCopiedBytes => (long)m_settings.CopiedMiB << 20;
+        public long MaxCopiedBytes => (long)m_settings.MaxCopiedMiB << 20;
 
         /// <summary>Whether handles are still to be written because the system refused.</summary>
         internal bool HasPendingWrites => m_pendingWrites.Count > 0;
@@ -136,12 +137,12 @@ namespace FastPoints.Editor
         {
             try
             {
-                var names = HandleFile.FreeHandleNames(Paths.Absolute(folder));
+                var names = HandleFile.FreeHandlePaths(Paths.Absolute(folder));
                 string path = HandleFile.Create(new[] { source }, Paths, names, NewTargets(), false, out var handle);
                 string asset = Paths.Stored(path);
                 AssetDatabase.ImportAsset(asset);
                 AddThumbnail(handle);
-                if (IsConvertedAtOnce(handle))
+                if (ShouldAutoConvert(handle))
                     Queue.Add(RequestFor(asset, handle));
                 return AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset);
             }
@@ -169,9 +170,9 @@ namespace FastPoints.Editor
             var known = new HashSet<string>();
             foreach (var request in Queue.Requests)
                 if (request.State != ImportState.Failed)
-                    known.Add(request.Asset);
+                    known.Add(request.AssetGuid);
             foreach (string asset in assets)
-                if (CreatePointFileHandle(asset) is { } request && !known.Contains(request.Asset))
+                if (CreatePointFileHandle(asset) is { } request && !known.Contains(request.AssetGuid))
                     requests.Add(request);
             Queue.Add(requests);
         }
@@ -184,7 +185,7 @@ namespace FastPoints.Editor
             {
                 if (!File.Exists(CloudThumbnails.PathOf(Paths.Absolute(handle.CloudPath))))
                     AddThumbnail(handle);
-                return IsConvertedAtOnce(handle) && RequestFor(asset, handle) is { } request &&
+                return ShouldAutoConvert(handle) && RequestFor(asset, handle) is { } request &&
                     !IsAutoConvertDisabled(request.Cloud)
                     ? request : null;
             }
@@ -210,7 +211,7 @@ namespace FastPoints.Editor
         /// <param name="folder">The handle's folder, in <c>Assets</c>.</param>
         public void ImportCopy(string cloud, string folder)
         {
-            CreateFolder(Paths.Clouds);
+            TryCreateIgnoredFolder(Paths.Clouds);
             if (CloudSources.IsConverted(cloud))
                 Transfers.Import(cloud, Paths, copy => Selection.activeObject = CreateAsset(copy, folder));
             else
@@ -248,7 +249,7 @@ namespace FastPoints.Editor
         /// about.</summary>
         internal void DisableAutoConvert(string cloud)
         {
-            CreateFolder(Paths.Clouds);
+            TryCreateIgnoredFolder(Paths.Clouds);
             try
             {
                 TextFile.Write(AutoConvertMarkPath(cloud), "", false);
@@ -271,14 +272,14 @@ namespace FastPoints.Editor
 
         /// <summary>The request in the queue for an asset's cloud, which a copy of the asset may have made; null if there is
         /// none.</summary>
-        internal ImportRequest RequestOf(string asset) => Queue.RequestOfAsset(AssetDatabase.AssetPathToGUID(asset)) ??
+        internal ImportRequest RequestOf(string asset) => Queue.RequestOfGuid(AssetDatabase.AssetPathToGUID(asset)) ??
             (Assets.All.TryGetValue(asset, out string cloud) ? Queue.RequestOfCloud(cloud) : null);
 
         /// <summary>Draws the picture of a handle's cloud: from the converted cloud if there is one, otherwise from its
         /// files.</summary>
         internal void AddThumbnail(CloudHandle handle)
         {
-            CreateFolder(Paths.Clouds);
+            TryCreateIgnoredFolder(Paths.Clouds);
             string cloud = Paths.Absolute(handle.CloudPath);
             if (handle.Sources.Count == 0 || CloudFolder.IsCloud(cloud))
                 Thumbnails.Add(cloud);
@@ -296,7 +297,7 @@ namespace FastPoints.Editor
             Verification.Dispose();
             Transfers.Dispose();
             Exports.Dispose();
-            Missing.Dispose();
+            MissingData.Dispose();
             Thumbnails.Dispose();
             Queue.Suspend();
         }
@@ -305,10 +306,10 @@ namespace FastPoints.Editor
 
         internal ImportRequest RequestFor(string asset, CloudHandle handle)
         {
-            CreateFolder(Paths.Clouds);
+            TryCreateIgnoredFolder(Paths.Clouds);
             return new ImportRequest
             {
-                Asset = AssetDatabase.AssetPathToGUID(asset),
+                AssetGuid = AssetDatabase.AssetPathToGUID(asset),
                 Cloud = handle.CloudPath,
                 Sources = new List<string>(handle.Sources),
                 Sampler = m_settings.Sampler,
@@ -317,7 +318,7 @@ namespace FastPoints.Editor
         }
 
         /// <summary>A new folder is ignored by Git: its content is large and can be converted again.</summary>
-        internal void CreateFolder(string folder)
+        internal void TryCreateIgnoredFolder(string folder)
         {
             if (Directory.Exists(folder) || !PointCloudImports.IsMainEditor)
                 return;
@@ -334,14 +335,13 @@ namespace FastPoints.Editor
             }
         }
 
-        internal bool IsConvertedAtOnce(CloudHandle handle) => m_settings.ConvertAtOnce && IsConverted(handle);
+        internal bool ShouldAutoConvert(CloudHandle handle) => m_settings.ConvertAtOnce && ShouldConvert(handle);
 
-        /// <summary>Whether the settings have its cloud converted, sooner or later.</summary>
-        internal bool IsConverted(CloudHandle handle) =>
+        internal bool ShouldConvert(CloudHandle handle) =>
             handle.Sources.Count > 0 && (!handle.IsSourceOctree || m_settings.ConvertOctrees);
 
         /// <summary>Names for new clouds, none of which another asset or request is waiting for.</summary>
-        internal FreeNames NewTargets()
+        internal FreePaths NewTargets()
         {
             var reserved = new List<string>(Assets.Clouds);
             reserved.AddRange(Queue.ReservedPaths);
@@ -350,7 +350,8 @@ namespace FastPoints.Editor
 
         CloudHandle OfPointFile(string asset)
         {
-            var handle = new CloudHandle { CloudPath = Paths.Stored(ProjectPaths.OfAsset(AssetDatabase.AssetPathToGUID(asset))) };
+            string folder = ProjectPaths.ConvertedFolderOf(AssetDatabase.AssetPathToGUID(asset));
+            var handle = new CloudHandle { CloudPath = Paths.Stored(folder) };
             handle.Sources.Add(asset);
             handle.IsSourceOctree = CloudSources.HasOctree(asset);
             try
@@ -366,7 +367,7 @@ namespace FastPoints.Editor
 
         void End(ImportRequest request, ConversionSession session)
         {
-            string asset = AssetDatabase.GUIDToAssetPath(request.Asset);
+            string asset = AssetDatabase.GUIDToAssetPath(request.AssetGuid);
             m_progress.End(session.State == ConversionState.Done ? Progress.Status.Succeeded
                 : session.State == ConversionState.Failed ? Progress.Status.Failed : Progress.Status.Canceled);
             if (session.Failure is PointCloudException known)

@@ -36,7 +36,7 @@ namespace FastPoints.Editor
         /// <summary>Graphics memory for points in the editor if a scene has no <see cref="PointCloudSettings"/>; new ones begin
         /// with it.</summary>
         public int GpuMiB = 512;
-        public int CopiedMiB = 64; // Larger files are not copied into the project when dropped: they get a handle.
+        public int MaxCopiedMiB = 64; // Larger files are not copied into the project when dropped: they get a handle.
 
         /// <summary>How to handle point cloud files in <c>Assets</c> that no other package imports.</summary>
         public PointFiles PointFiles;
@@ -45,7 +45,7 @@ namespace FastPoints.Editor
 
         public bool ConvertAtOnce = true;
         public bool ConvertOctrees; // Whether that includes COPC, Potree and EPT, which can be streamed directly.
-        public int PlayerMiB = 2048; // A build warns if a player's clouds are larger; 0 for never.
+        public int PlayerWarningMiB = 2048; // A build warns if a player's clouds are larger; 0 for never.
 
         /// <summary>Assets of clouds that go into every player, because only code names them: by GUID, since settings are loaded
         /// before assets are imported, and a reference would then be null.</summary>
@@ -93,7 +93,7 @@ namespace FastPoints.Editor
                 return;
             try
             {
-                LockedFile.Open(FileName);
+                VersionedFile.CheckOut(FileName);
                 Save(true);
                 (m_saved, m_refused) = (now, null);
             }
@@ -108,7 +108,7 @@ namespace FastPoints.Editor
         public void Apply()
         {
             PointCloudPaths.ConvertedRoot = Place;
-            PointCloudPaths.SourceRoot = FastPointsUserSettings.Root;
+            PointCloudPaths.SourceRoot = FastPointsUserSettings.EffectiveSourceRoot;
             PointCloudSystemGroup.DefaultPoolBytes = (long)GpuMiB << 20;
             EditorApplication.QueuePlayerLoopUpdate();
         }

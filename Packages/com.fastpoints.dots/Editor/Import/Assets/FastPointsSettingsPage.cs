@@ -18,10 +18,10 @@ namespace FastPoints.Editor
         };
 
         /// <summary>Undo restores the values, but not their consequences.</summary>
-        internal static void SaveUndone()
+        internal static void ApplyAfterUndo()
         {
-            if (PointCloudImports.Paths.Clouds != PointCloudImports.Current.Paths.Clouds)
-                PointCloudImports.Move(FastPointsSettings.instance.Place);
+            if (PointCloudImports.ConfiguredPaths.Clouds != PointCloudImports.Current.Paths.Clouds)
+                PointCloudImports.SwitchConvertedRoot(FastPointsSettings.instance.Place);
             FastPointsSettings.instance.Save();
         }
 
@@ -55,10 +55,10 @@ namespace FastPoints.Editor
             settings.GpuMiB = EditorGUILayout.IntSlider(new GUIContent("Graphics memory of points (MiB)",
                 "In the editor, in scenes without Point Cloud Settings, which begin with it when added. In players that " +
                 "component decides, or 512 MiB."), settings.GpuMiB, 64, 16384);
-            settings.CopiedMiB = EditorGUILayout.IntSlider(new GUIContent("Copied into Assets up to (MiB)",
-                "What is dropped together and larger stays where it is, and gets handles."), settings.CopiedMiB, 0, 2048);
-            settings.PlayerMiB = EditorGUILayout.IntSlider(new GUIContent("Warn of clouds in players from (MiB)",
-                "Builds whose point clouds are larger together say so. 0: never."), settings.PlayerMiB, 0, 65536);
+            settings.MaxCopiedMiB = EditorGUILayout.IntSlider(new GUIContent("Copied into Assets up to (MiB)",
+                "What is dropped together and larger stays where it is, and gets handles."), settings.MaxCopiedMiB, 0, 2048);
+            settings.PlayerWarningMiB = EditorGUILayout.IntSlider(new GUIContent("Warn of clouds in players from (MiB)",
+                "Builds whose point clouds are larger together say so. 0: never."), settings.PlayerWarningMiB, 0, 65536);
             settings.ProgressiveInPlayers = EditorGUILayout.Toggle(new GUIContent("Several frames in players",
                 "The shaders for it. Without, players draw all points at once."), settings.ProgressiveInPlayers);
             settings.AlwaysInPlayers = CloudFields(new GUIContent("Always in players",
@@ -105,10 +105,10 @@ namespace FastPoints.Editor
                 FastPointsUserSettings.instance.SourceRoot);
             EditorGUIUtility.labelWidth = width;
             if (root != FastPointsUserSettings.instance.SourceRoot)
-                PointCloudImports.MoveRoot(root);
+                PointCloudImports.SwitchSourceRoot(root);
             bool isChanged = EditorGUI.EndChangeCheck();
             if (browses && EditorUtility.OpenFolderPanel("Converted clouds in", settings.Place, "") is { Length: > 0 } chosen)
-                folder = PointCloudImports.Paths.StoredShared(chosen);
+                folder = PointCloudImports.ConfiguredPaths.StoredShared(chosen);
             if (isChanged || folder != settings.Place)
                 Apply(settings, folder);
             // Other windows were drawn while the panel was open: this one's layout is lost.
@@ -118,7 +118,7 @@ namespace FastPoints.Editor
 
         static void Apply(FastPointsSettings settings, string folder)
         {
-            s_problem = folder == settings.Place ? null : PointCloudImports.Move(folder);
+            s_problem = folder == settings.Place ? null : PointCloudImports.SwitchConvertedRoot(folder);
             settings.Save();
         }
     }

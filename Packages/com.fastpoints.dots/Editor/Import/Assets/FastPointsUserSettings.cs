@@ -11,7 +11,7 @@ namespace FastPoints.Editor
         public const string Variable = "FASTPOINTS_SOURCES";
         public string SourceRoot = ""; // The folder below which this user has what the team's clouds are made of; empty for none.
 
-        public static string Root =>
+        public static string EffectiveSourceRoot =>
             Environment.GetEnvironmentVariable(Variable) is { Length: > 0 } root ? root : instance.SourceRoot;
 
         public void SetRoot(string root)

@@ -13,7 +13,7 @@ namespace FastPoints.Editor
     {
         /// <summary>An import worker has no singletons of the main process, or old ones: it reads what was saved last.</summary>
         static ProjectPaths Paths => AssetDatabase.IsAssetImportWorkerProcess()
-            ? FastPointsSettings.ReadPaths(Path.GetDirectoryName(Application.dataPath)) : PointCloudImports.Paths;
+            ? FastPointsSettings.ReadPaths(Path.GetDirectoryName(Application.dataPath)) : PointCloudImports.ConfiguredPaths;
 
         /// <returns>Null if there is no picture yet: Unity then shows the type's icon.</returns>
         public override Texture2D RenderStaticPreview(string assetPath, Object[] subAssets, int width, int height)

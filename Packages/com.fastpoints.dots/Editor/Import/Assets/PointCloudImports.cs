@@ -29,7 +29,7 @@ namespace FastPoints.Editor
             AssemblyReloadEvents.beforeAssemblyReload += Suspend;
             // Undo survives a reload of scripts.
             if (IsMainEditor)
-                Undo.undoRedoPerformed += FastPointsSettingsPage.SaveUndone;
+                Undo.undoRedoPerformed += FastPointsSettingsPage.ApplyAfterUndo;
             Listen();
         }
 
@@ -47,15 +47,15 @@ namespace FastPoints.Editor
 
         public static EditorImports Current => s_current ?? Open();
 
-        internal static ProjectPaths Paths =>
-            new ProjectPaths(Project, FastPointsSettings.instance.Place, FastPointsUserSettings.Root);
+        internal static ProjectPaths ConfiguredPaths =>
+            new ProjectPaths(Project, FastPointsSettings.instance.Place, FastPointsUserSettings.EffectiveSourceRoot);
 
         static string Project => Path.GetDirectoryName(Application.dataPath);
 
         /// <summary>Changes the folder into which clouds are converted from now on. A running conversion is suspended,
         /// and continues when the folder is changed back.</summary>
         /// <returns>Why this is not possible, in one line; null if it is done.</returns>
-        public static string Move(string folder)
+        public static string SwitchConvertedRoot(string folder)
         {
             string problem = ProjectPaths.FindProblem(Project, folder);
             if (problem != null)
@@ -66,7 +66,7 @@ namespace FastPoints.Editor
 
         static EditorImports Open()
         {
-            s_current = new EditorImports(Paths, FastPointsSettings.instance);
+            s_current = new EditorImports(ConfiguredPaths, FastPointsSettings.instance);
             string unsaved = SessionState.GetString(Unsaved, "");
             SessionState.EraseString(Unsaved);
             if (unsaved.Length > 0)
@@ -89,7 +89,7 @@ namespace FastPoints.Editor
             FastPointsSettings.instance.Apply();
         }
 
-        internal static void MoveRoot(string root) => Begin(() => FastPointsUserSettings.instance.SetRoot(root));
+        internal static void SwitchSourceRoot(string root) => Begin(() => FastPointsUserSettings.instance.SetRoot(root));
 
         static void Update() => Current.Update(DateTime.UtcNow);
 

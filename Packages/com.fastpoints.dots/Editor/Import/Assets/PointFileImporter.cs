@@ -6,7 +6,7 @@ using UnityEditor.AssetImporters;
 namespace FastPoints.Editor
 {
     /// <summary>Imports LAS, LAZ and PLY files in <c>Assets</c> by their headers. Unity never chooses it: two importers that
-    /// claim one extension lock each other out, and others claim these. <see cref="PointFilePostprocessor"/> chooses it
+    /// claim one extension lock each other out, and others claim these. <see cref="CloudAssetPostprocessor"/> chooses it
     /// instead.</summary>
     [ScriptedImporter(Version, null, new[] { "las", "laz", "ply" }, AllowCaching = true)]
     internal sealed class PointFileImporter : CloudImporter
@@ -14,7 +14,7 @@ namespace FastPoints.Editor
         protected override CloudHandle Describe(AssetImportContext context, string guid)
         {
             using var reader = PointReaders.Open(context.assetPath);
-            var handle = new CloudHandle { CloudPath = ProjectPaths.OfAsset(guid) };
+            var handle = new CloudHandle { CloudPath = ProjectPaths.ConvertedFolderOf(guid) };
             handle.Sources.Add(context.assetPath);
             handle.IsSourceOctree = reader.Tree != null;
             handle.SetFrom(reader.Info);
@@ -26,7 +26,7 @@ namespace FastPoints.Editor
 
     /// <summary>Chooses <see cref="PointFileImporter"/> for point cloud files that no other package's importer handles, and
     /// requests their conversion.</summary>
-    internal sealed class PointFilePostprocessor : AssetPostprocessor
+    internal sealed class CloudAssetPostprocessor : AssetPostprocessor
     {
         static void OnPostprocessAllAssets(string[] importedAssets, string[] deletedAssets, string[] movedAssets,
             string[] movedFromAssetPaths)
@@ -35,7 +35,7 @@ namespace FastPoints.Editor
                 return;
             PointCloudImports.Current.UnusedClouds.OnDeleted(deletedAssets);
             PointCloudImports.Current.Assets.Update(importedAssets, deletedAssets, movedFromAssetPaths, movedAssets);
-            PointCloudImports.Current.Missing.OnImported(importedAssets);
+            PointCloudImports.Current.MissingData.OnImported(importedAssets);
             var ours = new List<string>();
             var unclaimed = new List<string>();
             foreach (string path in importedAssets)
@@ -44,7 +44,7 @@ namespace FastPoints.Editor
                 else
                     unclaimed.Add(path);
             PointCloudImports.Current.CreatePointFileHandles(ours);
-            PointCloudImports.Current.Claims.Add(unclaimed);
+            PointCloudImports.Current.PointFilePrompt.Add(unclaimed);
         }
     }
 }

@@ -64,11 +64,12 @@ namespace FastPoints.Editor
         static bool IsUnclaimed(string path) => IsPointFile(path) &&
             !path.StartsWith("Assets/StreamingAssets/", StringComparison.OrdinalIgnoreCase) &&
             !path.StartsWith("Assets/Editor Default Resources/", StringComparison.OrdinalIgnoreCase) &&
-            AssetDatabase.GetImporterOverride(path) == null && !IsForeign(path, PointCloudImports.Paths.Absolute(path));
+            AssetDatabase.GetImporterOverride(path) == null &&
+            !BelongsToOtherImporter(path, PointCloudImports.ConfiguredPaths.Absolute(path));
 
         /// <summary>Whether another package's importer is responsible for a file, or it is a mesh.</summary>
         /// <param name="asset">Its path in the project, or what that would be.</param>
-        public static bool IsForeign(string asset, string file) =>
+        public static bool BelongsToOtherImporter(string asset, string file) =>
             typeof(ScriptedImporter).IsAssignableFrom(AssetDatabase.GetDefaultImporter(asset)) || HasFaces(file);
 
         static bool HasFaces(string file)
@@ -123,7 +124,7 @@ namespace FastPoints.Editor
             try
             {
                 // Their .meta files name the importer.
-                LockedFile.Open(PointCloudImports.Paths.Absolute(path + ".meta"));
+                VersionedFile.CheckOut(PointCloudImports.ConfiguredPaths.Absolute(path + ".meta"));
                 AssetDatabase.SetImporterOverride<PointFileImporter>(path);
                 return null;
             }

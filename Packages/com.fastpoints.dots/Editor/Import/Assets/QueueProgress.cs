@@ -34,11 +34,11 @@ namespace FastPoints.Editor
 
         void Begin(ImportQueue queue)
         {
-            var request = queue.Running;
+            var request = queue.CurrentRequest;
             Session = queue.Session;
             // Unity cancels progress that it manages before scripts are reloaded, as if the user had: the conversion would be
             // lost.
-            m_line = Progress.Start("Convert " + Path.GetFileName(AssetDatabase.GUIDToAssetPath(request.Asset)), null,
+            m_line = Progress.Start("Convert " + Path.GetFileName(AssetDatabase.GUIDToAssetPath(request.AssetGuid)), null,
                 Progress.Options.Unmanaged);
             Progress.SetTimeDisplayMode(m_line, Progress.TimeDisplayMode.ShowRemainingTime);
             Progress.RegisterCancelCallback(m_line, () =>

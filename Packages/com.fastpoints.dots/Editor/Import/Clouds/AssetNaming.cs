@@ -66,7 +66,7 @@ namespace FastPoints.Editor
     }
 
     /// <summary>Finds free paths in a folder: existing names are listed once, for any number of calls.</summary>
-    internal sealed class FreeNames
+    internal sealed class FreePaths
     {
         readonly string m_folder;
         readonly string m_extension;
@@ -74,7 +74,7 @@ namespace FastPoints.Editor
         readonly Dictionary<string, int> m_numbers = new Dictionary<string, int>(StringComparer.OrdinalIgnoreCase);
 
         /// <param name="taken">Paths; names that differ in case alone are the same.</param>
-        public FreeNames(string folder, string extension, IEnumerable<string> taken)
+        public FreePaths(string folder, string extension, IEnumerable<string> taken)
         {
             m_folder = folder;
             m_extension = extension;

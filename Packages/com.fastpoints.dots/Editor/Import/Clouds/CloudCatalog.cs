@@ -30,7 +30,7 @@ namespace FastPoints.Editor
         {
             m_clouds.Clear();
             var cached = new Dictionary<string, CachedCloud>();
-            foreach (string folder in FolderNames(m_paths.Clouds))
+            foreach (string folder in FolderPaths(m_paths.Clouds))
             {
                 bool isPart = folder.EndsWith(StoreFormat.UnfinishedSuffix, StringComparison.Ordinal);
                 string path = StoreFormat.FinishedPath(folder);
@@ -51,13 +51,13 @@ namespace FastPoints.Editor
             cloud = m_clouds.Find(c => string.Equals(c.Path, path, StringComparison.OrdinalIgnoreCase));
             if (cloud == null && CloudFolder.IsCloud(path))
                 cloud = ReadFolder(path, CloudFolder.Find(path), new Dictionary<string, CachedCloud>());
-            if (cloud != null && cloud.IsBuilding)
-                return CatalogMatch.Building;
+            if (cloud != null && cloud.IsUnfinished)
+                return CatalogMatch.Unfinished;
             if (cloud?.Manifest != null && (handle.CloudId == 0 || cloud.Manifest.CloudId == handle.CloudId))
                 return CatalogMatch.InPlace;
             var inPlace = cloud;
             if (handle.CloudId != 0)
-                cloud = m_clouds.Find(c => !c.IsBuilding && c.Manifest != null && c.Manifest.CloudId == handle.CloudId);
+                cloud = m_clouds.Find(c => !c.IsUnfinished && c.Manifest != null && c.Manifest.CloudId == handle.CloudId);
             if (handle.CloudId != 0 && cloud != null)
                 return CatalogMatch.Moved;
             cloud = inPlace;
@@ -66,12 +66,12 @@ namespace FastPoints.Editor
 
         /// <summary>Names for new clouds: none that a cloud or a build has already.</summary>
         /// <param name="reserved">Folders that belong to other clouds, even if they do not exist yet.</param>
-        public FreeNames NewTargets(IEnumerable<string> reserved)
+        public FreePaths NewTargets(IEnumerable<string> reserved)
         {
             var taken = new List<string>(reserved);
-            foreach (string folder in FolderNames(m_paths.Clouds))
+            foreach (string folder in FolderPaths(m_paths.Clouds))
                 taken.Add(StoreFormat.FinishedPath(folder));
-            return new FreeNames(m_paths.Clouds, StoreFormat.FolderExtension, taken);
+            return new FreePaths(m_paths.Clouds, StoreFormat.FolderExtension, taken);
         }
 
         /// <summary>Deletes a converted cloud: first its name, so that a half-deleted one never passes for a complete
@@ -102,7 +102,7 @@ namespace FastPoints.Editor
                 return before.Cloud;
             }
             bool isPart = folder.EndsWith(StoreFormat.UnfinishedSuffix, StringComparison.Ordinal);
-            var cloud = new CatalogCloud { Path = path, IsBuilding = isPart };
+            var cloud = new CatalogCloud { Path = path, IsUnfinished = isPart };
             try
             {
                 cloud.Manifest = CloudManifest.FromJson(StoreFile.ReadText(manifest), manifest);
@@ -115,7 +115,7 @@ namespace FastPoints.Editor
             return cloud;
         }
 
-        static string[] FolderNames(string folder)
+        static string[] FolderPaths(string folder)
         {
             try
             {
@@ -133,8 +133,7 @@ namespace FastPoints.Editor
         public string Path; // Its folder: an absolute path under its final name.
         public CloudManifest Manifest; // Null if Problem says why.
         public string Problem; // Why it cannot be used, in one line; null if it can.
-
-        public bool IsBuilding;
+        public bool IsUnfinished;
 
         public string Name => System.IO.Path.GetFileNameWithoutExtension(Path);
     }
@@ -147,6 +146,6 @@ namespace FastPoints.Editor
         Moved,
         /// <summary>Another cloud is at the handle's path, and its own was not found.</summary>
         Another,
-        Building,
+        Unfinished,
     }
 }

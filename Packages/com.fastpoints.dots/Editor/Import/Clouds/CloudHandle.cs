@@ -47,7 +47,7 @@ namespace FastPoints.Editor
         {
             // These are the same at each import, whatever a conversion finds.
             if (!info.BoundsTrusted.IsEmpty)
-                Origin = UnitySpace.Of(info.BoundsTrusted, info.Crs.Units).OriginGeo;
+                Origin = UnityLocalSpace.Of(info.BoundsTrusted, info.Crs.Units).OriginGeo;
             Format = info.Format;
             Points = info.PointsReadable >= 0 ? info.PointsReadable
                 : info.HasPointsClaimed && info.PointsClaimed <= long.MaxValue ? (long)info.PointsClaimed : -1;
@@ -117,7 +117,7 @@ namespace FastPoints.Editor
         {
             var json = JsonMembers.Parse(text, path);
             if (json.Text("format") != FormatName)
-                throw json.Wrong("format", "wanted \"" + FormatName + "\", got \"" + json.Text("format") + "\"");
+                throw json.Failure("format", "wanted \"" + FormatName + "\", got \"" + json.Text("format") + "\"");
             json.RequireVersion(Version);
             var bounds = json.ObjectOrNull("bounds");
             var stamp = json.ObjectOrNull("stamp");
@@ -140,7 +140,7 @@ namespace FastPoints.Editor
                     ? json.NumberOrNaN("verticalMetresPerUnit") : 0),
             };
             if (handle.CloudPath.Length == 0)
-                throw json.Wrong("cloud", "wanted a folder, got nothing");
+                throw json.Failure("cloud", "wanted a folder, got nothing");
             return handle;
         }
 
@@ -150,7 +150,7 @@ namespace FastPoints.Editor
             if (text == null)
                 return UpAxis.Z;
             return Enum.TryParse(text, out UpAxis axis) && Enum.IsDefined(typeof(UpAxis), axis) ? axis
-                : throw json.Wrong(name, "wanted X, Y, Z or one of these behind Negative, got \"" + text + "\"");
+                : throw json.Failure(name, "wanted X, Y, Z or one of these behind Negative, got \"" + text + "\"");
         }
     }
 }

@@ -19,7 +19,7 @@ namespace FastPoints.Editor
         /// <summary>Decides what to do with files that are dropped into a project's assets.</summary>
         /// <param name="paths">Absolute paths of files and folders.</param>
         /// <param name="maxBytes">Of all files together, if they are to be copied.</param>
-        public static DropKind Of(IReadOnlyList<string> paths, ProjectPaths project, long maxBytes)
+        public static DropKind DropKindOf(IReadOnlyList<string> paths, ProjectPaths project, long maxBytes)
         {
             if (paths.Count == 0)
                 return DropKind.None;
@@ -30,7 +30,7 @@ namespace FastPoints.Editor
                 string stored = project.Stored(path);
                 if (stored.StartsWith("Assets/", StringComparison.Ordinal) ||
                     stored.StartsWith("Packages/", StringComparison.Ordinal) || !IsCloud(path) ||
-                    PointFilePrompt.IsForeign("Assets/" + Path.GetFileName(path), path))
+                    PointFilePrompt.BelongsToOtherImporter("Assets/" + Path.GetFileName(path), path))
                     return DropKind.None;
                 bool isImported = IsImported(path);
                 bytes += isImported ? new FileInfo(path).Length : 0;

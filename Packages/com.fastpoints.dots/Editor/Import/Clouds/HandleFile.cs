@@ -17,12 +17,12 @@ namespace FastPoints.Editor
         /// <exception cref="PointCloudException">It is locked, or cannot be written.</exception>
         public static void Write(string path, CloudHandle handle)
         {
-            LockedFile.Open(path);
+            VersionedFile.CheckOut(path);
             TextFile.Write(path, handle.ToJson());
         }
 
-        public static FreeNames FreeHandleNames(string folder) =>
-            new FreeNames(folder, CloudHandle.Extension, Directory.GetFileSystemEntries(folder));
+        public static FreePaths FreeHandlePaths(string folder) =>
+            new FreePaths(folder, CloudHandle.Extension, Directory.GetFileSystemEntries(folder));
 
         /// <summary>Creates a handle for sources; for a converted cloud it copies facts from the manifest. Any thread.</summary>
         /// <param name="sources">Files and folders: one cloud.</param>
@@ -32,7 +32,7 @@ namespace FastPoints.Editor
         /// <param name="handle">The handle that was written.</param>
         /// <returns>The handle's path.</returns>
         /// <exception cref="PointCloudException">It cannot be written, or the converted cloud cannot be read.</exception>
-        public static string Create(IReadOnlyList<string> sources, ProjectPaths paths, FreeNames handles, FreeNames clouds,
+        public static string Create(IReadOnlyList<string> sources, ProjectPaths paths, FreePaths handles, FreePaths clouds,
             bool readsHeader, out CloudHandle handle)
         {
             handle = new CloudHandle();
@@ -100,8 +100,8 @@ namespace FastPoints.Editor
                 handle.OriginUp = up;
             // The header's bounds, if any: every machine finds the same origin, and the preview was placed with it.
             handle.Origin ??= source != null && !source.BoundsTrusted.IsEmpty
-                ? UnitySpace.Of(source.BoundsTrusted, source.Crs.Units, up).OriginGeo
-                : origin ?? UnitySpace.Of(manifest.BoundsGeo, manifest.Crs.Units, up).OriginGeo;
+                ? UnityLocalSpace.Of(source.BoundsTrusted, source.Crs.Units, up).OriginGeo
+                : origin ?? UnityLocalSpace.Of(manifest.BoundsGeo, manifest.Crs.Units, up).OriginGeo;
             if (source != null)
                 handle.SetFrom(source.Format, source.Warnings);
             handle.Stamp = stamp;

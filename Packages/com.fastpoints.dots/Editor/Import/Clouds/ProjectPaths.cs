@@ -76,9 +76,9 @@ namespace FastPoints.Editor
             path.StartsWith(Inside(folder), Path.DirectorySeparatorChar == '\\' ? StringComparison.OrdinalIgnoreCase
                 : StringComparison.Ordinal) ? path.Substring(Inside(folder).Length) : null;
 
-        /// <summary>The folder of a point cloud file in <c>Assets</c>, as its asset refers to it: by the asset's number, which
-        /// stays the same when the file is renamed.</summary>
-        public static string OfAsset(string guid) => PointCloudPaths.ConvertedRootPrefix + guid + StoreFormat.FolderExtension;
+        /// <summary>As the asset of a file in <c>Assets</c> refers to it: by its number, which outlives a new name.</summary>
+        public static string ConvertedFolderOf(string guid) =>
+            PointCloudPaths.ConvertedRootPrefix + guid + StoreFormat.FolderExtension;
 
         static string Inside(string folder) => Path.GetFullPath(folder).TrimEnd(Path.DirectorySeparatorChar,
             Path.AltDirectorySeparatorChar) + Path.DirectorySeparatorChar;

@@ -162,7 +162,7 @@ namespace FastPoints.Editor
                 return null;
             var json = JsonMembers.Parse(StoreFile.ReadText(path), path);
             json.RequireVersion(Version);
-            return SourceStamp.Read(json.ObjectOrNull("stamp") ?? throw json.Wrong("stamp", "missing"));
+            return SourceStamp.Read(json.ObjectOrNull("stamp") ?? throw json.Failure("stamp", "missing"));
         }
 
         public static void Write(string cloud, SourceStamp stamp)

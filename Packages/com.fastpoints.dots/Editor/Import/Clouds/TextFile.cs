@@ -37,11 +37,11 @@ namespace FastPoints.Editor
     }
 
     /// <summary>Files of the project that version control may lock until somebody checks them out.</summary>
-    static class LockedFile
+    static class VersionedFile
     {
         /// <summary>Checks a file out, if it is there, so that it may be written, without asking. Main thread.</summary>
         /// <exception cref="PointCloudException">Version control refuses, or the file is read-only.</exception>
-        public static void Open(string path)
+        public static void CheckOut(string path)
         {
             if (!File.Exists(path))
                 return;

@@ -62,7 +62,7 @@ namespace FastPoints.Editor
             m_settings.Workers = workers;
             m_settings.InFlightMs = inFlightMs;
             if (m_reader != null)
-                m_reader.MaxJobs = workers;
+                m_reader.MaxIndexingJobs = workers;
         }
 
         public bool Tick(double budgetMs)

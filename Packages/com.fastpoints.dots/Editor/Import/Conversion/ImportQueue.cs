@@ -24,7 +24,7 @@ namespace FastPoints.Editor
         readonly Func<ImportRequest, ConvertSettings> m_settings;
         readonly List<ImportRequest> m_requests = new List<ImportRequest>();
         FolderLock m_lock;
-        ImportRequest m_running;
+        ImportRequest m_currentRequest;
         DateTime m_nextRefresh;
         bool m_isUnsaved;
 
@@ -42,18 +42,16 @@ namespace FastPoints.Editor
 
         public bool IsPausedByPlayMode { get; set; }
 
-        public bool HasWork =>
-            m_requests.Exists(r => r.State == ImportState.Waiting || r.State == ImportState.Running);
+        public bool HasWork => m_requests.Exists(r => r.State == ImportState.Waiting || r.State == ImportState.Running);
 
-        public ImportRequest Running => m_running;
+        public ImportRequest CurrentRequest => m_currentRequest;
 
         /// <summary>Why nothing is converted or saved, in one line: another editor, or a folder that cannot be written. Null if
         /// all is well.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Raised when a conversion has ended, and when its cloud has got normals, with success or without; the
-        /// session says which.</summary>
-        public event Action<ImportRequest, ConversionSession> Ended;
+        /// <summary>Raised again when the cloud has got normals; the session says which it was, and with what success.</summary>
+        public event Action<ImportRequest, ConversionSession> ConversionEnded;
 
         string FilePath => Path.Combine(m_paths.Clouds, FileName);
 
@@ -87,7 +85,7 @@ namespace FastPoints.Editor
             }
         }
 
-        public ImportRequest RequestOfAsset(string asset) => m_requests.Find(r => r.Asset == asset);
+        public ImportRequest RequestOfGuid(string guid) => m_requests.Find(r => r.AssetGuid == guid);
 
         public ImportRequest RequestOfCloud(string cloud) => m_requests.Find(r => IsSame(FolderOf(r), cloud));
 
@@ -104,7 +102,7 @@ namespace FastPoints.Editor
             }
             if (IsPausedByPlayMode)
                 return;
-            if (m_running?.State == ImportState.Paused && m_requests.Exists(r => r.State == ImportState.Waiting))
+            if (m_currentRequest?.State == ImportState.Paused && m_requests.Exists(r => r.State == ImportState.Waiting))
                 SuspendSession();
             if (Session == null)
                 Begin();
@@ -118,29 +116,29 @@ namespace FastPoints.Editor
         /// is not paused.</summary>
         public void Pause(ImportRequest request)
         {
-            if (request == m_running)
+            if (request == m_currentRequest)
                 Session.Pause();
-            if (request == m_running ? Session.State == ConversionState.Paused : request.State == ImportState.Waiting)
+            if (request == m_currentRequest ? Session.State == ConversionState.Paused : request.State == ImportState.Waiting)
                 request.State = ImportState.Paused;
             Save();
         }
 
         public void Resume(ImportRequest request)
         {
-            if (request == m_running)
+            if (request == m_currentRequest)
                 Session.Resume();
             else
                 request.Attempts = 0;
-            request.State = request == m_running ? ImportState.Running : ImportState.Waiting;
+            request.State = request == m_currentRequest ? ImportState.Running : ImportState.Waiting;
             request.Failure = null;
             Save();
         }
 
         public void MoveFirst(ImportRequest request)
         {
-            if (request == m_running || !m_requests.Remove(request))
+            if (request == m_currentRequest || !m_requests.Remove(request))
                 return;
-            m_requests.Insert(m_running == null ? 0 : m_requests.IndexOf(m_running) + 1, request);
+            m_requests.Insert(m_currentRequest == null ? 0 : m_requests.IndexOf(m_currentRequest) + 1, request);
             Save();
         }
 
@@ -149,7 +147,7 @@ namespace FastPoints.Editor
         {
             if (!m_requests.Remove(request))
                 return;
-            if (request == m_running)
+            if (request == m_currentRequest)
             {
                 Session.Cancel();
                 End();
@@ -167,10 +165,10 @@ namespace FastPoints.Editor
         /// continues it. What is <see cref="Unsaved"/> stays.</summary>
         public void Suspend()
         {
-            if (m_running != null)
+            if (m_currentRequest != null)
             {
-                if (m_running.State == ImportState.Running)
-                    m_running.State = ImportState.Waiting;
+                if (m_currentRequest.State == ImportState.Running)
+                    m_currentRequest.State = ImportState.Waiting;
                 SuspendSession();
                 Save();
             }
@@ -191,7 +189,7 @@ namespace FastPoints.Editor
                 Problem = "another editor has taken over the imports of " + m_paths.Clouds;
                 Session?.Suspend();
                 Session = null;
-                m_running = null;
+                m_currentRequest = null;
                 m_requests.Clear();
             }
             if (nowUtc < m_nextRefresh)
@@ -219,29 +217,29 @@ namespace FastPoints.Editor
 
         void Begin()
         {
-            m_running = m_requests.Find(r => r.State == ImportState.Waiting);
-            if (m_running == null)
+            m_currentRequest = m_requests.Find(r => r.State == ImportState.Waiting);
+            if (m_currentRequest == null)
                 return;
-            m_running.State = ImportState.Running;
-            m_running.Attempts++;
+            m_currentRequest.State = ImportState.Running;
+            m_currentRequest.Attempts++;
             Save();
-            var sources = m_running.OnlyNormalsLeft ? null : m_running.Sources.ConvertAll(m_paths.Absolute);
-            Session = new ConversionSession(sources, m_paths.Absolute(m_running.Cloud), m_settings(m_running));
+            var sources = m_currentRequest.OnlyNormalsLeft ? null : m_currentRequest.Sources.ConvertAll(m_paths.Absolute);
+            Session = new ConversionSession(sources, m_paths.Absolute(m_currentRequest.Cloud), m_settings(m_currentRequest));
         }
 
         /// <summary>The next session of this target continues from what is on disk.</summary>
         void SuspendSession()
         {
             Session.Suspend();
-            m_running.Attempts = 0;
-            (m_running, Session) = (null, null);
+            m_currentRequest.Attempts = 0;
+            (m_currentRequest, Session) = (null, null);
         }
 
         void End()
         {
-            var request = m_running;
+            var request = m_currentRequest;
             var session = Session;
-            m_running = null;
+            m_currentRequest = null;
             Session = null;
             request.Attempts = 0;
             if (session.State == ConversionState.Failed)
@@ -258,7 +256,7 @@ namespace FastPoints.Editor
                 m_requests.Remove(request);
             }
             Save();
-            Ended?.Invoke(request, session);
+            ConversionEnded?.Invoke(request, session);
         }
 
         /// <summary>Loaded requests come before those already here.</summary>
@@ -283,10 +281,10 @@ namespace FastPoints.Editor
         void Append(IReadOnlyList<ImportRequest> requests)
         {
             var folders = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
-            string running = m_running == null ? null : FolderOf(m_running);
+            string running = m_currentRequest == null ? null : FolderOf(m_currentRequest);
             foreach (var request in requests)
                 folders.Add(FolderOf(request));
-            m_requests.RemoveAll(r => r != m_running && folders.Contains(FolderOf(r)));
+            m_requests.RemoveAll(r => r != m_currentRequest && folders.Contains(FolderOf(r)));
             // The later of two requests for a folder counts.
             for (int i = requests.Count - 1, at = m_requests.Count; i >= 0; i--)
                 if (folders.Remove(FolderOf(requests[i])) && !IsSame(FolderOf(requests[i]), running))

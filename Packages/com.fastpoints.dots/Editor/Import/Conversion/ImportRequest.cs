@@ -7,7 +7,7 @@ namespace FastPoints.Editor
     /// <summary>A cloud to convert. Paths are stored in the form of <see cref="ProjectPaths.Stored"/>.</summary>
     internal sealed class ImportRequest
     {
-        public string Asset; // The asset that the cloud is for, identified independently of its path.
+        public string AssetGuid; // The asset that the cloud is for, identified independently of its path.
 
         public List<string> Sources = new List<string>();
 
@@ -17,7 +17,6 @@ namespace FastPoints.Editor
 
         public bool AddsNormals;
 
-        /// <summary>Only the normals are missing.</summary>
         public bool OnlyNormalsLeft { get; internal set; }
 
         public ImportState State { get; internal set; }
@@ -29,7 +28,7 @@ namespace FastPoints.Editor
 
         internal void Write(JsonWriter json)
         {
-            json.BeginObject().Add("asset", Asset).Add("cloud", Cloud).BeginArray("sources");
+            json.BeginObject().Add("asset", AssetGuid).Add("cloud", Cloud).BeginArray("sources");
             foreach (string source in Sources)
                 json.Add(null, source);
             json.EndArray().Add("sampler", Sampler.ToString()).Add("normals", AddsNormals).Add("isBuilt", OnlyNormalsLeft)
@@ -38,7 +37,7 @@ namespace FastPoints.Editor
 
         internal static ImportRequest Read(JsonMembers json) => new ImportRequest
         {
-            Asset = json.Text("asset"),
+            AssetGuid = json.Text("asset"),
             Cloud = json.Text("cloud"),
             Sources = json.Texts("sources"),
             Sampler = Named<Sampler>(json, "sampler"),
@@ -52,7 +51,7 @@ namespace FastPoints.Editor
         static T Named<T>(JsonMembers json, string name) where T : struct =>
             Enum.TryParse(json.Text(name), false, out T value) && value.ToString() == json.Text(name)
                 ? value
-                : throw json.Wrong(name, "no such one: \"" + json.Text(name) + "\"");
+                : throw json.Failure(name, "no such one: \"" + json.Text(name) + "\"");
     }
 
     /// <summary>The state of an <see cref="ImportRequest"/>. An imported one is no longer in the queue.</summary>

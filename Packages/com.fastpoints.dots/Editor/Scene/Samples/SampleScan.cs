@@ -19,14 +19,14 @@ namespace FastPoints.Editor
         [MenuItem("Assets/Import sample point cloud", false, 21)]
         static void Import()
         {
-            var asset = Get();
+            var asset = GetOrImport();
             if (asset != null)
                 Selection.activeObject = asset;
         }
 
         /// <summary>Gets the sample's asset, which is made first if it does not exist; null if it cannot be made, which is
         /// logged.</summary>
-        public static PointCloudAsset Get()
+        public static PointCloudAsset GetOrImport()
         {
             var imports = PointCloudImports.Current;
             string source = imports.Paths.Absolute(ProjectPaths.DefaultClouds + "/street.laz");
@@ -36,7 +36,7 @@ namespace FastPoints.Editor
                 return asset;
             try
             {
-                imports.CreateFolder(Path.GetDirectoryName(source));
+                imports.TryCreateIgnoredFolder(Path.GetDirectoryName(source));
                 Directory.CreateDirectory(Path.GetDirectoryName(source));
                 if (!File.Exists(source))
                     Copy(Path.GetFullPath(FileUtil.GetPhysicalPath(PackagedPath)), source);

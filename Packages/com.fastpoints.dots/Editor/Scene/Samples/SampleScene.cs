@@ -26,7 +26,7 @@ namespace FastPoints.Editor
                 Debug.LogWarning("FastPoints: no scene can be made in play mode: stop it, and choose the sample again");
                 return;
             }
-            var asset = SampleScan.Get();
+            var asset = SampleScan.GetOrImport();
             if (asset != null && EditorSceneManager.SaveCurrentModifiedScenesIfUserWantsTo())
                 Create(asset, fill);
         }

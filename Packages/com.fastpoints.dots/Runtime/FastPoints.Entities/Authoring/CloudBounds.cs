@@ -42,7 +42,7 @@ namespace FastPoints.Entities
             return new Bounds(localToWorld.MultiplyPoint3x4(local.center), reach * 2);
         }
 
-        static Bounds Of(BoundsGeo bounds, UnitySpace space)
+        static Bounds Of(BoundsGeo bounds, UnityLocalSpace space)
         {
             double3 a = space.FromGeo(bounds.Min), b = space.FromGeo(bounds.Max);
             return new Bounds(Vector((a + b) * 0.5), Vector(math.abs(b - a)));

@@ -126,7 +126,7 @@ namespace FastPoints.Entities
         public string Error => TryGet(out var entities) ? GroupOf(entities)?.ErrorOf(Entity) : null;
 
         /// <summary>The space in which the cloud is shown and that the transform moves.</summary>
-        public bool TryGetSpace(out UnitySpace space)
+        public bool TryGetSpace(out UnityLocalSpace space)
         {
             bool exists = TryGet(out var entities) && entities.HasComponent<PointCloudSpace>(Entity);
             space = exists ? entities.GetComponentData<PointCloudSpace>(Entity).Value : default;
@@ -242,7 +242,7 @@ namespace FastPoints.Entities
         internal string FullPath => Paths.FullPath;
 
         /// <summary>The space in which the cloud is shown, or will be: also where nothing draws it, as on a server.</summary>
-        internal UnitySpace SpaceOf(CloudManifest manifest)
+        internal UnityLocalSpace SpaceOf(CloudManifest manifest)
         {
             var file = File;
             Place(ref file);

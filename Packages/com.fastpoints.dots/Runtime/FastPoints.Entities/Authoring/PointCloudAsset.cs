@@ -78,10 +78,10 @@ namespace FastPoints.Entities
 
         /// <summary>The space that a transform moves.</summary>
         /// <returns>False if the bounds are unknown.</returns>
-        public bool TryGetSpace(out BoundsGeo bounds, out UnitySpace space)
+        public bool TryGetSpace(out BoundsGeo bounds, out UnityLocalSpace space)
         {
             bounds = new BoundsGeo(BoundsMin, BoundsMax);
-            space = UnitySpace.Of(bounds, Units, Up);
+            space = UnityLocalSpace.Of(bounds, Units, Up);
             if (HasOrigin)
                 space.OriginGeo = Origin;
             return !bounds.IsEmpty && bounds.IsFinite;

@@ -143,14 +143,14 @@ namespace FastPoints.Entities
             s_found.Clear();
         }
 
-        UnitySpace Space => new UnitySpace
+        UnityLocalSpace Space => new UnityLocalSpace
         {
             OriginGeo = m_place,
             Units = new CloudUnits(m_scale == 0 ? double.NaN : m_scale, m_verticalScale),
             Up = m_up,
         };
 
-        void Set(double3 position, UnitySpace space, string crs)
+        void Set(double3 position, UnityLocalSpace space, string crs)
         {
             m_scale = space.Units.IsInDegrees ? 0 : space.Units.IsKnown ? space.Units.Horizontal : 1;
             (m_verticalScale, m_up, m_crs) = (space.Units.Vertical, space.Up, crs);

@@ -36,7 +36,7 @@ namespace FastPoints.Entities
 
         [Range(0, 1)]
         [Tooltip("How long detail takes to appear or to leave, point by point. 0 for at once.")]
-        public float FadeSeconds = StreamSettings.DefaultFadeSeconds;
+        public float FadeSeconds = StreamSettings.SceneFadeSeconds;
 
         public PointShape Shape = PointShape.Square;
 

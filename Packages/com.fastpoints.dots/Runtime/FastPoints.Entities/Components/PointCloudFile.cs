@@ -46,9 +46,9 @@ namespace FastPoints.Entities
         internal readonly CloudUnits Units(CloudUnits ofCloud) =>
             MetresPerUnitOverride > 0 ? new CloudUnits(MetresPerUnitOverride) : ofCloud;
 
-        internal readonly UnitySpace SpaceOf(BoundsGeo boundsGeo, CloudUnits ofCloud)
+        internal readonly UnityLocalSpace SpaceOf(BoundsGeo boundsGeo, CloudUnits ofCloud)
         {
-            var space = UnitySpace.Of(boundsGeo, Units(ofCloud), Up);
+            var space = UnityLocalSpace.Of(boundsGeo, Units(ofCloud), Up);
             if (HasOrigin)
                 space.OriginGeo = OriginGeo;
             return space;

@@ -11,9 +11,9 @@ namespace FastPoints.Entities
         public CloudPlacement Value;
     }
 
-    /// <summary>The space that a cloud's transform moves: see <see cref="UnitySpace"/>.</summary>
+    /// <summary>The space that a cloud's transform moves: see <see cref="UnityLocalSpace"/>.</summary>
     public struct PointCloudSpace : IComponentData
     {
-        public UnitySpace Value;
+        public UnityLocalSpace Value;
     }
 }

@@ -274,7 +274,7 @@ namespace FastPoints.Entities
                 return false;
             }
             Begin(new GraphicsNodePool(resources.CopyPages, DefaultPoolBytes));
-            Stream.Settings.FadeSeconds = StreamSettings.DefaultFadeSeconds;
+            Stream.Settings.FadeSeconds = StreamSettings.SceneFadeSeconds;
             Scene = new PointScene(resources.Points, resources.Compose, Stream, resources.Raster, resources.Progressive);
             PointScene.Current = Scene;
             return true;

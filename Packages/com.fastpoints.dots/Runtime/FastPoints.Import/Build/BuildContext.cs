@@ -52,7 +52,7 @@ namespace FastPoints.Build
             Folder = new CloudFolderWriter(target);
             SliceTimes = new SliceTimes(Allocator.Persistent);
             CloudId = part.CloudId;
-            Grid = new GridChoice { Grid = part.Grid, Records = part.Records, Sources = new SourceGrid[readers.Count] };
+            Grid = new GridChoice { Grid = part.Grid, Records = part.Records, Sources = new SourceToGrid[readers.Count] };
             for (int i = 0; i < readers.Count; i++)
             {
                 Grid.Sources[i] = GridChoice.OnGrid(readers[i].Info, part.Grid);
@@ -66,7 +66,7 @@ namespace FastPoints.Build
         public BuildPart Part { get; }
 
         /// <summary>Takes the points of the part's own blocks since the last call; null unless it is read from sources.</summary>
-        public Func<long> TakePointsWanted { get; set; }
+        public Func<long> TakeOwnBlockPoints { get; set; }
 
         public long Points { get; private set; }
         public GridChoice Grid { get; private set; }

@@ -43,14 +43,14 @@ namespace FastPoints.Build
         public long[] BytesOfPlane = new long[0];
         public long PeakBytes;
         public int LevelCount;
-        public long PointsWanted; // See PartFilter.TakePointsWanted: of all that was read.
+        public long OwnBlockPoints; // See PartFilter.TakeOwnBlockPoints: of all that was read.
 
         public string ToJson()
         {
             var json = new JsonWriter().BeginObject().Add("version", Version).AddHex("identity", Identity).Add("stage",
                 CurrentStage.ToString())
                 .Add("source", Source).Add("block", Block).Add("peakBytes", PeakBytes)
-                .Add("levelCount", LevelCount).Add("pointsWanted", PointsWanted)
+                .Add("levelCount", LevelCount).Add("pointsWanted", OwnBlockPoints)
                 .Add("rootCorner", Root.Corner.X, Root.Corner.Y, Root.Corner.Z).Add("rootSideLog2", Root.SideLog2);
             json.BeginArray("findings");
             foreach (var found in Statistics)
@@ -62,7 +62,7 @@ namespace FastPoints.Build
             json.EndArray().BeginArray("attributes");
             foreach (var found in Attributes)
             {
-                json.BeginObject().AddHex("min", found.Min).AddHex("max", found.Max).AddHex("or", found.Or)
+                json.BeginObject().AddHex("min", found.OrderedMin).AddHex("max", found.OrderedMax).AddHex("or", found.Or)
                     .Add("notDoubled", found.Modulo257Or).EndObject();
             }
             json.EndArray().BeginArray("records");
@@ -104,7 +104,7 @@ namespace FastPoints.Build
         static BuildJournal Read(JsonMembers json)
         {
             if (!Enum.TryParse(json.Text("stage"), out Stage stage))
-                throw json.Bad("stage", "a stage");
+                throw json.Wanted("stage", "a stage");
             var journal = new BuildJournal
             {
                 Identity = json.Hex("identity"),
@@ -113,12 +113,12 @@ namespace FastPoints.Build
                 Block = json.Int("block"),
                 PeakBytes = json.Long("peakBytes"),
                 LevelCount = json.Int("levelCount"),
-                PointsWanted = json.Long("pointsWanted"),
+                OwnBlockPoints = json.Long("pointsWanted"),
                 Root = new GridCube(ReadPosition(json, "rootCorner"), json.Int("rootSideLog2")),
                 Attributes = json.Objects("attributes").ConvertAll(item => new AttributeStatistics
                 {
-                    Min = item.Hex("min"),
-                    Max = item.Hex("max"),
+                    OrderedMin = item.Hex("min"),
+                    OrderedMax = item.Hex("max"),
                     Or = item.Hex("or"),
                     Modulo257Or = (uint)item.NonNegative("notDoubled", uint.MaxValue),
                 }).ToArray(),

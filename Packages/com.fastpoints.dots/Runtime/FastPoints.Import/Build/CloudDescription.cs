@@ -148,17 +148,17 @@ namespace FastPoints.Build
         public static void Describe(PointSchema attributes, AttributeStatistics[] found, CloudManifest manifest)
         {
             manifest.Divisors = new int[attributes.Count];
-            manifest.Ranges = new CloudManifest.Range[attributes.Count];
+            manifest.Ranges = new CloudManifest.ValueRange[attributes.Count];
             for (int a = 0; a < attributes.Count; a++)
             {
                 var attribute = attributes[a];
                 manifest.Divisors[a] = DivisorOf(found[a], attribute);
                 manifest.Ranges[a] = found[a].IsEmpty
-                    ? new CloudManifest.Range { Min = double.NaN, Max = double.NaN }
-                    : new CloudManifest.Range
+                    ? new CloudManifest.ValueRange { Min = double.NaN, Max = double.NaN }
+                    : new CloudManifest.ValueRange
                     {
-                        Min = ValueOf(found[a].Min, attribute.Type) * attribute.Scale + attribute.Offset,
-                        Max = ValueOf(found[a].Max, attribute.Type) * attribute.Scale + attribute.Offset,
+                        Min = ValueOf(found[a].OrderedMin, attribute.Type) * attribute.Scale + attribute.Offset,
+                        Max = ValueOf(found[a].OrderedMax, attribute.Type) * attribute.Scale + attribute.Offset,
                     };
             }
         }
@@ -191,7 +191,7 @@ namespace FastPoints.Build
 
         public static string ToJson(SourceInfo info)
         {
-            var json = new JsonWriter().BeginObject().Add("tell", info.OnlyInFacts).BeginArray("facts");
+            var json = new JsonWriter().BeginObject().Add("tell", info.UnexportableFacts).BeginArray("facts");
             int room = MaxChars;
             foreach (var fact in info.Facts)
             {
@@ -210,7 +210,7 @@ namespace FastPoints.Build
             if (!StoreFile.TryReadText(path, out string text))
                 return;
             var json = JsonMembers.Parse(text, path);
-            info.OnlyInFacts = json.TextOrNull("tell");
+            info.UnexportableFacts = json.TextOrNull("tell");
             foreach (var fact in json.Objects("facts"))
                 info.AddFact(fact.Text("name"), fact.Text("value"));
         }

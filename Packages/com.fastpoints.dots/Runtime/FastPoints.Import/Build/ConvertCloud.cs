@@ -110,7 +110,7 @@ namespace FastPoints.Build
             {
                 foreach (var reader in m_build.Readers)
                 {
-                    reader.MaxJobs = m_build.Settings.Workers;
+                    reader.MaxIndexingJobs = m_build.Settings.Workers;
                     if (!reader.BlocksAreKnown)
                         yield return JobStep.Of(reader.IndexBlocks());
                     yield return JobStep.Of(SourceSample.Read(reader, m_build.InFlightMs, m_build.Settings.Workers,
@@ -181,7 +181,7 @@ namespace FastPoints.Build
             var ranges = new DisplayRanges();
             yield return JobStep.Of(MeasureRanges(folder, nodes,
                 LoadNodes.SchemaFor(folder, ColorModes.AttributesToMeasure(ColorMode.Auto)), UpAxis.Z, ranges));
-            manifest.Shown = ranges.ToShown();
+            manifest.DisplayRanges = ranges.ToStored();
         }
 
         /// <summary>Coroutine: measures what a display needs to know of a converted cloud, from the points of its upper

@@ -347,12 +347,12 @@ namespace FastPoints.Build
                 m_writes.Poll(1);
                 yield return default;
             }
-            Take(slot);
+            AddResults(slot);
             m_pointsDone += m_chunks.Chunks[slot.Chunk].Count;
             m_build.Progress?.Report(m_pointsDone / (double)m_points, m_pointsDone, 0);
         }
 
-        void Take(Slot slot)
+        void AddResults(Slot slot)
         {
             var indexer = slot.Indexer;
             var result = ChunkResult.Of(indexer);

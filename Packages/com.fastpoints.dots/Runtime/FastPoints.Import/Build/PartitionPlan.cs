@@ -97,7 +97,7 @@ namespace FastPoints.Build
         public const int PointsPerSlice = 1 << 16;
 
         [ReadOnly] public NativeArray<double3> Stored;
-        public SourceGrid Grid;
+        public SourceToGrid Grid;
         public GridCube Cube;
         public NativeArray<uint> CodeOfPoint; // Codes of all sources' samples; this slice's begin at First.
         public int First;
@@ -110,11 +110,11 @@ namespace FastPoints.Build
             Hash.Value = Hash.Value * 31 ^ ContentHash.Of(Stored.GetUnsafeReadOnlyPtr(), (long)Stored.Length * sizeof(double3));
             for (int i = 0; i < Stored.Length; i++)
             {
-                long x = SourceGrid.ToGrid(Grid.X, Stored[i].x);
-                long y = SourceGrid.ToGrid(Grid.Y, Stored[i].y);
-                long z = SourceGrid.ToGrid(Grid.Z, Stored[i].z);
-                bool isInside = x != SourceGrid.InvalidPosition && y != SourceGrid.InvalidPosition &&
-                    z != SourceGrid.InvalidPosition
+                long x = SourceToGrid.ToGrid(Grid.X, Stored[i].x);
+                long y = SourceToGrid.ToGrid(Grid.Y, Stored[i].y);
+                long z = SourceToGrid.ToGrid(Grid.Z, Stored[i].z);
+                bool isInside = x != SourceToGrid.InvalidPosition && y != SourceToGrid.InvalidPosition &&
+                    z != SourceToGrid.InvalidPosition
                     && Cube.Contains(new Grid3(x, y, z));
                 CodeOfPoint[First + i] = isInside
                     ? (uint)Morton.Encode(CellOf(x - Cube.Corner.X), CellOf(y - Cube.Corner.Y), CellOf(z - Cube.Corner.Z))

@@ -85,7 +85,7 @@ namespace FastPoints.Build
             m_slices.Dispose();
         }
 
-        IEnumerator<JobStep> Read(PointReader reader, SourceGrid grid, List<BlockRange> ranges)
+        IEnumerator<JobStep> Read(PointReader reader, SourceToGrid grid, List<BlockRange> ranges)
         {
             var wanted = reader.Info.Schema.SelectWithPosition(m_build.Attributes);
             if (reader is RecordReader records)
@@ -101,7 +101,7 @@ namespace FastPoints.Build
                 m_build.Settings.Workers, null));
         }
 
-        IEnumerator<JobStep> ReadRanges(RecordReader reader, SourceGrid grid, List<BlockRange> ranges, PointSchema wanted)
+        IEnumerator<JobStep> ReadRanges(RecordReader reader, SourceToGrid grid, List<BlockRange> ranges, PointSchema wanted)
         {
             var batch = new PointBatch(wanted, RangePoints * RangesPerSlice, Allocator.Persistent);
             var decoded = new NativeReference<DecodeResult>(Allocator.Persistent);
@@ -118,7 +118,7 @@ namespace FastPoints.Build
                         decoded.Value = new DecodeResult { Points = points };
                         return slot.ScheduleGrouping(batch, decoded, grid, read);
                     }));
-                    Take(slot);
+                    AddRecords(slot);
                 }
             }
             finally
@@ -130,7 +130,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>Copies at once, since the records are few.</summary>
-        unsafe void Take(RecordSlot slot)
+        unsafe void AddRecords(RecordSlot slot)
         {
             RecordPagePool.Of(m_pool).Append(ref m_pages,
                 (byte*)Unity.Collections.LowLevel.Unsafe.NativeArrayUnsafeUtility.GetUnsafeReadOnlyPtr(slot.Records),
@@ -143,11 +143,11 @@ namespace FastPoints.Build
         sealed class Consumer : IBlockConsumer, IDisposable
         {
             readonly PlaceholderSample m_sample;
-            readonly SourceGrid m_grid;
+            readonly SourceToGrid m_grid;
             readonly int m_longest;
             readonly List<RecordSlot> m_slots = new List<RecordSlot>();
 
-            public Consumer(PlaceholderSample sample, SourceGrid grid, int longest)
+            public Consumer(PlaceholderSample sample, SourceToGrid grid, int longest)
             {
                 m_sample = sample;
                 m_grid = grid;
@@ -162,7 +162,7 @@ namespace FastPoints.Build
                 return m_slots[slot].ScheduleGrouping(read.Points, read.Result, m_grid, decoded);
             }
 
-            public void Completed(BlockRead read, int slot) => m_sample.Take(m_slots[slot]);
+            public void Completed(BlockRead read, int slot) => m_sample.AddRecords(m_slots[slot]);
 
             public void Dispose()
             {

@@ -93,7 +93,7 @@ namespace FastPoints.Build
                 found.Include(m_scatter.CollectStatistics());
                 journal.Statistics[source] = found;
                 journal.Block = end;
-                journal.PointsWanted += m_build.TakePointsWanted?.Invoke() ?? 0;
+                journal.OwnBlockPoints += m_build.TakeOwnBlockPoints?.Invoke() ?? 0;
                 if (m_sinceCheckpoint < wantedPoints)
                     continue;
                 m_sinceCheckpoint = 0;

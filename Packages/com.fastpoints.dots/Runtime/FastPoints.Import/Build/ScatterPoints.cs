@@ -17,7 +17,7 @@ namespace FastPoints.Build
         readonly List<RecordSlot> m_slots = new List<RecordSlot>();
         NativeArray<RecordPages> m_chunks;
         NativeReference<long> m_pagesDetached;
-        SourceGrid m_grid;
+        SourceToGrid m_grid;
         PointReader m_reader;
         JobHandle m_lastAppend;
         long m_bytesDone;
@@ -55,7 +55,7 @@ namespace FastPoints.Build
             }
         }
 
-        public void BeginSource(PointReader reader, in SourceGrid grid)
+        public void BeginSource(PointReader reader, in SourceToGrid grid)
         {
             m_grid = grid;
             m_reader = reader;

@@ -33,7 +33,7 @@ namespace FastPoints.E57
                 info.AddFact("created", E57Text.GpsTime(seconds));
             AddCrs(root.Child("coordinateMetadata")?.Text, info);
             info.AddFact("scans", NumberText.Of(root.Child("data3D")?.Children.Count ?? 0));
-            info.OnlyInFacts = "names, places and conditions of scans";
+            info.UnexportableFacts = "names, places and conditions of scans";
             AddImages(root.Child("images2D"), info);
             foreach (var child in root.Children)
                 if (child.Name.IndexOf(':') >= 0)

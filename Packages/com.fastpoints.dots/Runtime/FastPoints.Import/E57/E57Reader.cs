@@ -63,7 +63,7 @@ namespace FastPoints.E57
         }
 
         public override bool BlocksAreKnown => m_blocks.AreKnown;
-        public override bool HasFixedStride => true; // Fixed within a few thousand records and a packet or two.
+        public override bool HasCheapRanges => true; // To within a few thousand records and a packet or two.
 
         public override int BlockCount => m_blocks.Count;
         public override int MaxPointsPerBlock => m_blocks.MaxPoints;

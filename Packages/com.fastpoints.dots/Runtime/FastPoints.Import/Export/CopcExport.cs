@@ -233,7 +233,7 @@ namespace FastPoints.Export
                         Level = key.w,
                         Cell = key.xyz,
                         ByteSize = sizes[key] * CopcEntry.Bytes,
-                        PointCount = CopcEntry.PageCount,
+                        PointCount = CopcEntry.PointCountOfPage,
                     });
                 }
                 pageOf[key] = page;

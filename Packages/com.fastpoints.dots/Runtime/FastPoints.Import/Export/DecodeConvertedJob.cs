@@ -107,7 +107,7 @@ namespace FastPoints.Export
                     if (!Edited[b].Deleted.Has(i))
                         Chosen[kept++] = at + i - First;
                 if (Edited[b].HasValues && begin < end)
-                    Take(b * PlaneShape.MaxPointsPerBlock + begin, at + begin - First, end - begin);
+                    Copy(b * PlaneShape.MaxPointsPerBlock + begin, at + begin - First, end - begin);
                 at += points;
             }
             for (int c = 0; c < AllColumns.Length && kept < Count; c++)
@@ -116,7 +116,7 @@ namespace FastPoints.Export
             Result.Value = result;
         }
 
-        void Take(int from, int to, int count)
+        void Copy(int from, int to, int count)
         {
             for (int c = 0; c < From.Length; c++)
                 UnsafeUtility.MemCpy(To[c].At((byte*)Columns.GetUnsafePtr(), to),

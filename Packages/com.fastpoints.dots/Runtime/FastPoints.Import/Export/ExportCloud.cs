@@ -155,7 +155,7 @@ namespace FastPoints.Export
         {
             CheckClasses(reader, settings);
             var format = FormatOf(reader, path, settings.Attributes);
-            if (reader.Info.OnlyInFacts is string facts)
+            if (reader.Info.UnexportableFacts is string facts)
                 format.Losses.Add(new Loss(facts, reader.Info.Path, Path.GetExtension(path) + " has no place for them"));
             return format;
         }
@@ -369,7 +369,7 @@ namespace FastPoints.Export
                 Range = range;
                 Read.Begin(range.Range);
                 job.Columns = Read.Points.Bytes;
-                job.Result = Read.Result;
+                job.Decoded = Read.Result;
                 job.Positions = PositionColumns.Of(Read.Points);
                 job.AllColumns = m_columns;
                 job.Copies = m_copies;
@@ -385,7 +385,7 @@ namespace FastPoints.Export
                 if (m_filter != null && range.Range.Count > 0)
                 {
                     decoded = m_filter.Schedule(Read.Result, range.Range, Read.FirstPoint, decoded);
-                    job.Result = m_filter.Result;
+                    job.Decoded = m_filter.Result;
                 }
                 Done = JobHandle.CombineDependencies(decoded, after);
                 for (int first = 0; first < range.Range.Count; first += MakeRecordsJob.PointsPerSlice)

@@ -101,8 +101,8 @@ namespace FastPoints.Export
                 for (int i = 0; i < byReturn.Length; i++)
                     byReturn[i] = written.ByReturn[i];
             }
-            m_header.Count = (ulong)written.Written;
-            m_header.SetPoints(path, byReturn, written.Min, written.Max);
+            m_header.Count64 = (ulong)written.Written;
+            m_header.SetCountsAndBounds(path, byReturn, written.Min, written.Max);
             m_header.VlrCount = (uint)m_vlrs.Count;
             m_header.EvlrCount = m_evlrs;
             m_header.EvlrOffset = m_evlrs > 0 ? (ulong)pointsEnd : 0;

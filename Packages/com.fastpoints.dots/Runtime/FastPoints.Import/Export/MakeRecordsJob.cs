@@ -15,7 +15,7 @@ namespace FastPoints.Export
     {
         public const int PointsPerSlice = 8192; // Points of a slice: below a millisecond for most records.
         public NativeArray<byte> Columns; // Of the block's batch; the chosen points move to the front of the slice.
-        [ReadOnly] public NativeReference<DecodeResult> Result;
+        [ReadOnly] public NativeReference<DecodeResult> Decoded;
         public PositionColumns Positions;
         [ReadOnly] public NativeArray<PointColumn> AllColumns;
 
@@ -48,7 +48,7 @@ namespace FastPoints.Export
         {
             var state = State.Value;
             state.NextRecord = math.max(state.NextRecord, FirstRecord);
-            int count = math.min(Count, Result.Value.Points - First);
+            int count = math.min(Count, Decoded.Value.Points - First);
             int chosen = count > 0 ? Choose(count, ref state) : 0;
             if (chosen > 0 && Buffers.Length > 0)
             {

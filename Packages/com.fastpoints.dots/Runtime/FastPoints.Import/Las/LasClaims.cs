@@ -13,9 +13,9 @@ namespace FastPoints.Las
         public static long CountReadable(LasHeader header, long fileBytes, SourceInfo info)
         {
             ulong claimed = header.PointsClaimed;
-            if (header.Has64BitCount && header.LegacyCount != 0 && header.LegacyCount != header.Count)
+            if (header.Has64BitCount && header.LegacyCount != 0 && header.LegacyCount != header.Count64)
                 info.Warn(LasHeader.At.LegacyCount, "the 32-bit point count is " + NumberText.Of(header.LegacyCount)
-                    + ", the 64-bit one " + NumberText.Of(header.Count) + ": " + NumberText.Of(claimed) + " is used");
+                    + ", the 64-bit one " + NumberText.Of(header.Count64) + ": " + NumberText.Of(claimed) + " is used");
             if (header.PointsOffset < header.HeaderBytes)
                 info.Warn(LasHeader.At.PointsOffset, "the points start at byte " + NumberText.Of(header.PointsOffset)
                     + ", inside the header of " + NumberText.Of((ulong)header.HeaderBytes) + " bytes");

@@ -33,7 +33,7 @@ namespace FastPoints.Las
             public const int WaveformOffset = 227;
             public const int EvlrOffset = 235;
             public const int EvlrCount = 243;
-            public const int Count = 247;
+            public const int Count64 = 247;
             public const int ByReturn = 255;
             public const int MaxGpsTime = 375;
             public const int MinGpsTime = 383;
@@ -77,7 +77,7 @@ namespace FastPoints.Las
         public ulong EvlrOffset;
         public uint EvlrCount;
         // 0 before LAS 1.4.
-        public ulong Count;
+        public ulong Count64;
         public readonly ulong[] ByReturn = new ulong[15];
         // 0 before LAS 1.5, like the next two.
         public double MaxGpsTime;
@@ -96,8 +96,8 @@ namespace FastPoints.Las
         public bool HasBytes(int end) => end <= BytesOf(VersionMinor) && (end <= MinBytes || end <= HeaderBytes);
 
         public bool Has64BitCount => HasBytes(At.ByReturn);
-        public ulong PointsClaimed => Has64BitCount && (Count != 0 || LegacyCount == 0) ? Count : LegacyCount;
-        public int PointsClaimedAt => Has64BitCount && (Count != 0 || LegacyCount == 0) ? At.Count : At.LegacyCount;
+        public ulong PointsClaimed => Has64BitCount && (Count64 != 0 || LegacyCount == 0) ? Count64 : LegacyCount;
+        public int PointsClaimedAt => Has64BitCount && (Count64 != 0 || LegacyCount == 0) ? At.Count64 : At.LegacyCount;
 
         // Whatever makes the points unreadable is a failure; everything else is checked later.
         public static LasHeader Read(RandomAccessFile source)
@@ -153,7 +153,7 @@ namespace FastPoints.Las
             {
                 EvlrOffset = bytes.UInt64(At.EvlrOffset, "start of the first EVLR");
                 EvlrCount = bytes.UInt32(At.EvlrCount, "EVLR count");
-                Count = bytes.UInt64(At.Count, "point count");
+                Count64 = bytes.UInt64(At.Count64, "point count");
             }
             if (HasBytes(At.MaxGpsTime))
                 for (int i = 0; i < ByReturn.Length; i++)
@@ -214,7 +214,7 @@ namespace FastPoints.Las
             {
                 Put(bytes, At.EvlrOffset, 8, EvlrOffset);
                 Put(bytes, At.EvlrCount, 4, EvlrCount);
-                Put(bytes, At.Count, 8, Count);
+                Put(bytes, At.Count64, 8, Count64);
                 for (int i = 0; i < ByReturn.Length; i++)
                     Put(bytes, At.ByReturn + 8 * i, 8, ByReturn[i]);
             }
@@ -228,20 +228,20 @@ namespace FastPoints.Las
         }
 
         // byReturn: by return number, from 0; min and max: of the stored coordinates. Unsupported if the version has no room.
-        public void SetPoints(string path, ulong[] byReturn, int3 min, int3 max)
+        public void SetCountsAndBounds(string path, ulong[] byReturn, int3 min, int3 max)
         {
-            bool fitsLegacy = Count <= uint.MaxValue;
+            bool fitsLegacy = Count64 <= uint.MaxValue;
             if (!fitsLegacy && VersionMinor < 4)
                 throw PointCloudException.Wanted(FailureCode.Unsupported, path, -1, "points in LAS 1." + VersionMinor,
-                    "at most " + uint.MaxValue, Count);
+                    "at most " + uint.MaxValue, Count64);
             // LAS 1.4: the 32-bit counts are 0 for point formats that older readers do not know.
             bool legacy = fitsLegacy && PointFormat < LasPointFormat.FirstExtended;
-            LegacyCount = legacy ? (uint)Count : 0;
+            LegacyCount = legacy ? (uint)Count64 : 0;
             for (int i = 0; i < LegacyByReturn.Length; i++)
                 LegacyByReturn[i] = legacy ? (uint)byReturn[i + 1] : 0;
             for (int i = 0; i < ByReturn.Length; i++)
                 ByReturn[i] = byReturn[i + 1];
-            if (Count == 0)
+            if (Count64 == 0)
                 return;
             // A negative scale reverses the axis.
             var a = new double3(min.x, min.y, min.z) * Scale + Offset;

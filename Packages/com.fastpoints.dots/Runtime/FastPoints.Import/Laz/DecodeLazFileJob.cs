@@ -170,7 +170,7 @@ namespace FastPoints.Laz
             long headerBytes = *(ushort*)(input + LasHeader.At.HeaderBytes);
             state.PointsInFile = *(uint*)(input + LasHeader.At.LegacyCount);
             if (state.PointsInFile == 0 && headerBytes >= LasHeader.At.ByReturn && InputBytes >= LasHeader.At.ByReturn)
-                state.PointsInFile = *(long*)(input + LasHeader.At.Count);
+                state.PointsInFile = *(long*)(input + LasHeader.At.Count64);
             if (IsUncompressed)
             {
                 state.ChunkOffset = *(uint*)(input + LasHeader.At.PointsOffset);

@@ -18,7 +18,7 @@ namespace FastPoints.Reading
         public virtual bool BlocksAreKnown => true;
 
         /// <summary>The most jobs that <see cref="IndexBlocks"/> has in flight; 0 for as many as keep all workers busy.</summary>
-        public int MaxJobs { get; set; }
+        public int MaxIndexingJobs { get; set; }
 
         /// <summary>Coroutine that finds the blocks in one pass over the file: line starts of an ascii file, a lost chunk
         /// table.</summary>
@@ -77,9 +77,8 @@ namespace FastPoints.Reading
         internal FetchWindow WindowOf(int first, int end, Func<int, BlockRange> rangeOf) =>
             IsRemote ? new FetchWindow(first, end, (n, pieces) => ListPieces(rangeOf(n), pieces)) : null;
 
-        /// <summary>Whether a range costs what it holds, wherever it lies in its block. Otherwise only prefixes are
-        /// cheap.</summary>
-        public virtual bool HasFixedStride => false;
+        /// <summary>Whether a range anywhere in its block costs what it holds. Otherwise only prefixes are cheap.</summary>
+        public virtual bool HasCheapRanges => false;
 
         /// <summary>Points of all blocks together.</summary>
         public long PointCount => BlockCount == 0 ? 0 : FirstPointOfBlock(BlockCount - 1) + PointsInBlock(BlockCount - 1);

@@ -85,7 +85,7 @@ namespace FastPoints.Reading
                 AddFact(name, value);
         }
 
-        internal string OnlyInFacts; // Comments, poses: facts that no exported format can hold; null if there are none.
+        internal string UnexportableFacts; // Comments, poses: facts that no exported format can hold; null if there are none.
 
         public void Warn(long byteOffset, string text) => Warnings.Add(new CloudWarning(Path, byteOffset, text));
     }

@@ -59,7 +59,7 @@ namespace FastPoints.Sampling
             }
             if (m_levels == null)
             {
-                Take(Choose(wanted), wanted, wanted, prefixes);
+                AddPrefixes(Choose(wanted), wanted, wanted, prefixes);
                 return prefixes;
             }
             // The levels above are taken whole, and are not shared out here.
@@ -67,7 +67,7 @@ namespace FastPoints.Sampling
             foreach (var level in m_levels)
             {
                 long points = PointsOf(level);
-                Take(level, (int)Math.Min(left, points), wanted, prefixes);
+                AddPrefixes(level, (int)Math.Min(left, points), wanted, prefixes);
                 left -= points;
                 if (left <= 0)
                     break;
@@ -77,7 +77,7 @@ namespace FastPoints.Sampling
 
         /// <summary>Distributes <paramref name="wanted"/> points among the blocks, minus those taken before.</summary>
         /// <param name="max">The most points that are taken in all.</param>
-        void Take(List<int> blocks, int wanted, int max, List<PrefixRange> prefixes)
+        void AddPrefixes(List<int> blocks, int wanted, int max, List<PrefixRange> prefixes)
         {
             long points = PointsOf(blocks), before = 0;
             foreach (int block in blocks)

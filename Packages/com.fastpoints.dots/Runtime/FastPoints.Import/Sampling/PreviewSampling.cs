@@ -100,7 +100,7 @@ namespace FastPoints.Sampling
             bool refines = !IsQuick && Refines(m_reader);
             int wanted = refines ? RefiningSampler.FirstSamplePoints(m_reader, m_options.Points) : m_options.Points;
             if (Sample == null)
-                yield return JobStep.Of(Take(wanted, progress));
+                yield return JobStep.Of(SampleWaves(wanted, progress));
             if (!refines || Sample.HasAllPoints)
                 yield break;
             var ranges = new DisplayRanges { Units = m_reader.Info.Crs.Units };
@@ -115,7 +115,7 @@ namespace FastPoints.Sampling
             Sample = sampler.TakeSample();
         }
 
-        IEnumerator<JobStep> Take(int wanted, StageProgress progress)
+        IEnumerator<JobStep> SampleWaves(int wanted, StageProgress progress)
         {
             double before = m_watch.Elapsed.TotalSeconds;
             long bytesBefore = m_waves.Count == 0 ? 0 : m_waves[m_waves.Count - 1].BytesRead;
@@ -140,7 +140,7 @@ namespace FastPoints.Sampling
             progress?.Begin("sample");
             // A sampler searches for as many spread prefixes as a wave needs.
             yield return JobStep.Of(((IPrefixSource)m_reader).FindPrefixes(1));
-            yield return JobStep.Of(Take(m_options.Points, progress));
+            yield return JobStep.Of(SampleWaves(m_options.Points, progress));
             var estimate = ((IPrefixSource)m_reader).EstimatedPoints;
             Sample.PointsInSource = (long)Math.Min(Math.Round(estimate.Points), 1L << 62);
             Sample.IsOfPrefix = !Sample.HasAllPoints && !(m_reader is LineReader);

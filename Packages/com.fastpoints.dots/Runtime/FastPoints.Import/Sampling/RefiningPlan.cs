@@ -49,7 +49,7 @@ namespace FastPoints.Sampling
                     break;
                 int block = m_order.StratumAt(m_next);
                 if (block >= 0 && block < m_reader.BlockCount)
-                    Take(block, IsSliced ? share : 1, ranges);
+                    AddRange(block, IsSliced ? share : 1, ranges);
             }
             // Blocks of one file one after the other.
             ranges.Sort((a, b) => a.Block.CompareTo(b.Block));
@@ -68,7 +68,7 @@ namespace FastPoints.Sampling
 
         public bool IsTaken(int block) => !IsSliced || m_taken[block] == m_reader.PointsInBlock(block);
 
-        void Take(int block, double share, List<BlockRange> ranges)
+        void AddRange(int block, double share, List<BlockRange> ranges)
         {
             int first = IsSliced ? m_taken[block] : 0;
             int count = (int)Math.Ceiling(share * m_reader.PointsInBlock(block)) - first;

@@ -23,7 +23,7 @@ namespace FastPoints.Sampling
                 return ranges;
             long wanted = Math.Max(MinRanges, Math.Min(maxRanges, points / (PointsPerSampled * rangePoints)));
             long length = Math.Max(1, Math.Min(rangePoints, (points + wanted - 1) / wanted));
-            if (!reader.HasFixedStride)
+            if (!reader.HasCheapRanges)
             {
                 // Only prefixes of blocks are cheap: they are longer if there are fewer.
                 long chosen = Math.Min(wanted, blocks);

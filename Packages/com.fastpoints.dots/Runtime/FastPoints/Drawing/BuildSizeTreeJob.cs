@@ -47,8 +47,8 @@ namespace FastPoints.Drawing
             var cloud = (SizeTreeCloud*)Clouds.GetUnsafeReadOnlyPtr() + drawn.Cloud;
             int level = cloud->Pages[drawn.Page].Addresses[drawn.Node].Level;
             int levelAbove = cloud->Pages[above.Page].Addresses[above.Node].Level;
-            var position = cloud->Cubes.PointIn(cloud->Pages + drawn.Page, drawn.Node);
-            var inAbove = cloud->Cubes.IndexAt(cloud->Cubes.PointIn(cloud->Pages + above.Page, above.Node), levelAbove);
+            var position = cloud->Cubes.PositionInCube(cloud->Pages + drawn.Page, drawn.Node);
+            var inAbove = cloud->Cubes.IndexAt(cloud->Cubes.PositionInCube(cloud->Pages + above.Page, above.Node), levelAbove);
             if (level <= levelAbove || math.any(cloud->Cubes.IndexAt(position, levelAbove) != inAbove))
                 return AddRoot(link);
             int at = NodeOfDrawn[drawn.Parent];

@@ -34,7 +34,7 @@ namespace FastPoints.Drawing
             var corner = new double3(address.Corner.X, address.Corner.Y, address.Corner.Z);
             var anchor = AnchorOf(from->Nodes[node], corner, address.IsWide);
             var anchorGrid = corner + new double3(anchor.X, anchor.Y, anchor.Z);
-            var cubeCorner = Cubes.CornerAt(Cubes.PointIn(from, node), address.Level);
+            var cubeCorner = Cubes.CornerAt(Cubes.PositionInCube(from, node), address.Level);
             var cubeSize = Cubes.SizeAt(address.Level);
             var fromEye = Placement.OriginWorld - EyeWorld;
             return new GpuNode

@@ -91,7 +91,7 @@ namespace FastPoints.Queries
             {
                 EndReading(hasCloud);
             }
-            else if (m_phase == Phase.Transcoding && m_transcoder.TryDecode() && JobCoroutine.HasEnded(m_transcoder.Done))
+            else if (m_phase == Phase.Transcoding && m_transcoder.TryScheduleDecode() && JobCoroutine.HasEnded(m_transcoder.Done))
             {
                 EndTranscoding();
             }

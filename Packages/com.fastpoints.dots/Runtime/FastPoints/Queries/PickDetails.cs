@@ -51,7 +51,7 @@ namespace FastPoints.Queries
         public JobHandle Done => m_isTranscoding ? m_transcoder.Done : m_done; // To await before the next call.
 
         public bool TryContinueReads() =>
-            m_isTranscoding ? m_transcoder.TryDecode() : m_planes.TrueForAll(plane => plane.Read.IsFetched);
+            m_isTranscoding ? m_transcoder.TryScheduleDecode() : m_planes.TrueForAll(plane => plane.Read.IsFetched);
 
         NodeSource Source => m_cloud.Source;
 
@@ -92,7 +92,7 @@ namespace FastPoints.Queries
             m_isTranscoding = false;
             m_transcoder.EndOrThrow();
             int points = 0;
-            m_transcoder.Made(ref m_blockCount, ref points);
+            m_transcoder.CorrectCounts(ref m_blockCount, ref points);
             m_done = default;
             foreach (var plane in m_planes)
                 Schedule(plane, m_transcoder.PlaneOf(plane.Number), 0, default);

@@ -40,7 +40,7 @@ namespace FastPoints.Queries
         // Returns whether all bytes have arrived, so that Done covers the decoding too. A remote node's decoding is started
         // from here.
         public bool TryContinueReads() =>
-            m_first.IsFetched && m_classes.IsFetched && (!m_isTranscoding || m_transcoder.TryDecode());
+            m_first.IsFetched && m_classes.IsFetched && (!m_isTranscoding || m_transcoder.TryScheduleDecode());
 
         // Whether Continue has something to do when it is.
         public bool HasMore => m_candidate.IsPage || m_isTranscoding || Source.RemoteOf(m_candidate.Page) != null;
@@ -89,7 +89,7 @@ namespace FastPoints.Queries
                 throw new PointCloudException(FailureCode.BadInput, table.Path, table.OffsetBytes,
                     Source.Describe(m_candidate.Page, Table, m_problem.Value));
             }
-            m_cloud.Load(m_candidate.Page, m_built.Value, Table);
+            m_cloud.InstallPage(m_candidate.Page, m_built.Value, Table);
             m_built.Value = default;
         }
 
@@ -213,7 +213,7 @@ namespace FastPoints.Queries
             m_isTranscoding = false;
             m_transcoder.EndOrThrow();
             int points = 0;
-            m_transcoder.Made(ref m_job.BlockCount, ref points);
+            m_transcoder.CorrectCounts(ref m_job.BlockCount, ref points);
             m_job.Positions = m_transcoder.PlaneOf(StoreLayout.PositionPlane);
             m_job.Classes = m_transcoder.PlaneOf(m_classPlane);
             Done = m_job.Schedule();

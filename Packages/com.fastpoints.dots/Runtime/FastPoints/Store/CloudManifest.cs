@@ -10,7 +10,7 @@ namespace FastPoints.Store
         const string FormatName = "fastpoints";
 
         /// <summary>Smallest and largest value of an attribute, scaled as <see cref="PointAttribute"/> says.</summary>
-        public struct Range
+        public struct ValueRange
         {
             public double Min;
             public double Max;
@@ -47,8 +47,8 @@ namespace FastPoints.Store
         public int[] Divisors;
 
         /// <summary>By attribute.</summary>
-        public Range[] Ranges;
-        internal StoredDisplayRanges? Shown; // Null in unfinished clouds, and in those of older versions.
+        public ValueRange[] Ranges;
+        internal StoredDisplayRanges? DisplayRanges; // Null in unfinished clouds, and in those of older versions.
 
         public long NodeCount;
         public long ChunkCount;
@@ -157,7 +157,7 @@ namespace FastPoints.Store
             }
             json.EndArray();
 
-            if (Shown is StoredDisplayRanges shown)
+            if (DisplayRanges is StoredDisplayRanges shown)
             {
                 var of = shown.BoundsGeo;
                 json.BeginObject("shown").Add("min", of.Min.x, of.Min.y, of.Min.z).Add("max", of.Max.x, of.Max.y, of.Max.z)
@@ -221,7 +221,7 @@ namespace FastPoints.Store
         {
             var json = JsonMembers.Parse(text, path);
             if (json.Text("format") != FormatName)
-                throw json.Bad("format", "\"" + FormatName + "\"");
+                throw json.Wanted("format", "\"" + FormatName + "\"");
             if (json.Long("version") == StoreFormat.UpgradableVersion)
                 throw new PointCloudException(FailureCode.Unsupported, path, -1, "is of version " +
                     StoreFormat.UpgradableVersion + ": fastpoints upgrade " +
@@ -247,7 +247,7 @@ namespace FastPoints.Store
             result.ReadGridAndBounds(json);
             result.ReadAttributes(json.Objects("attributes"));
             if (json.Has("shown"))
-                result.Shown = ReadShown(json.Object("shown"));
+                result.DisplayRanges = ReadDisplayRanges(json.Object("shown"));
             result.ReadProvenance(json);
             if (json.Has("planes"))
                 result.CheckPlanes(json);
@@ -270,7 +270,7 @@ namespace FastPoints.Store
             var grid = json.Object("grid");
             Grid = new CloudGrid { Origin = grid.Vector("origin"), Step = grid.Vector("step") };
             if (!math.all(Grid.Step > 0))
-                throw grid.Bad("step", "positive steps");
+                throw grid.Wanted("step", "positive steps");
             var root = json.Object("root");
             Root = new GridCube(ReadGrid3(root, "corner"), (int)root.NonNegative("sideLog2", GridCube.MaxSideLog2));
             var bounds = json.Object("boundsGrid");
@@ -282,20 +282,20 @@ namespace FastPoints.Store
         {
             var schema = new List<PointAttribute>();
             Divisors = new int[attributes.Count];
-            Ranges = new Range[attributes.Count];
+            Ranges = new ValueRange[attributes.Count];
             for (int i = 0; i < attributes.Count; i++)
             {
                 var attribute = attributes[i];
                 string typeName = attribute.Text("type");
                 if (!Enum.TryParse(typeName, false, out AttributeType type) || type.ToString() != typeName)
-                    throw attribute.Bad("type", "a type of attribute");
+                    throw attribute.Wanted("type", "a type of attribute");
                 schema.Add(new PointAttribute(attribute.Text("name"), type, attribute.Number("scale"),
                     attribute.Number("offset")));
                 long divisor = attribute.Long("divisor");
                 if (divisor < 1 || divisor > ushort.MaxValue || (divisor > 1 && type != AttributeType.UInt16))
-                    throw attribute.Bad("divisor", "1, or up to 65535 for UInt16");
+                    throw attribute.Wanted("divisor", "1, or up to 65535 for UInt16");
                 Divisors[i] = (int)divisor;
-                Ranges[i] = new Range { Min = attribute.NumberOrNaN("min"), Max = attribute.NumberOrNaN("max") };
+                Ranges[i] = new ValueRange { Min = attribute.NumberOrNaN("min"), Max = attribute.NumberOrNaN("max") };
             }
             Attributes = new PointSchema(schema);
         }
@@ -312,7 +312,7 @@ namespace FastPoints.Store
                 NormalLayer = (ushort)last.NonNegative("layer", ushort.MaxValue);
                 NormalOrientation = last.Text("orientation");
                 if (NormalLayer == 0)
-                    throw last.Bad("layer", "1 or more");
+                    throw last.Wanted("layer", "1 or more");
             }
             var known = CreateLayout().Planes;
             for (int p = 0; p < Math.Max(known.Count, planes.Count); p++)
@@ -320,15 +320,15 @@ namespace FastPoints.Store
                 string got = p < planes.Count ? planes[p].Text("kind") + " " + planes[p].Text("name") : "none";
                 string wanted = p < known.Count ? KindOf(known[p]) + " " + known[p].Name : "none";
                 if (got != wanted)
-                    throw json.Wrong("planes", "wanted plane " + p + " to be " + wanted + ", got " + got);
+                    throw json.Failure("planes", "wanted plane " + p + " to be " + wanted + ", got " + got);
             }
         }
 
-        static StoredDisplayRanges ReadShown(JsonMembers shown) => new StoredDisplayRanges
+        static StoredDisplayRanges ReadDisplayRanges(JsonMembers shown) => new StoredDisplayRanges
         {
             BoundsGeo = new BoundsGeo(shown.Vector("min"), shown.Vector("max")),
-            Elevation = new Range { Min = shown.Number("elevationMin"), Max = shown.Number("elevationMax") },
-            Intensity = new Range { Min = shown.Number("intensityMin"), Max = shown.Number("intensityMax") },
+            Elevation = new ValueRange { Min = shown.Number("elevationMin"), Max = shown.Number("elevationMax") },
+            Intensity = new ValueRange { Min = shown.Number("intensityMin"), Max = shown.Number("intensityMax") },
             HasColor = shown.Flag("color"),
             HasMeaningfulClasses = shown.Has("classes") && shown.Flag("classes"),
         };
@@ -339,7 +339,7 @@ namespace FastPoints.Store
             if (json.ObjectOrNull("gpsTime") is JsonMembers time)
             {
                 if (!Enum.TryParse(time.Text("kind"), out GpsTimeKind kind))
-                    throw time.Bad("kind", "a kind of GPS time");
+                    throw time.Wanted("kind", "a kind of GPS time");
                 GpsTime = new GpsTime(kind, (int)time.NonNegative("offsetMegaseconds", ushort.MaxValue));
             }
             if (json.Has("scanners"))
@@ -355,7 +355,7 @@ namespace FastPoints.Store
             }
             catch (FormatException)
             {
-                throw json.Bad(name, "bytes in base 64");
+                throw json.Wanted(name, "bytes in base 64");
             }
         }
 
@@ -365,7 +365,7 @@ namespace FastPoints.Store
             var position = new Grid3(steps[0], steps[1], steps[2]);
             const long limit = 1L << GridCube.MaxSideLog2;
             if (position != Grid3.Max(Grid3.Min(position, new Grid3(limit, limit, limit)), new Grid3(-limit, -limit, -limit)))
-                throw json.Bad(name, "numbers within 2^" + GridCube.MaxSideLog2);
+                throw json.Wanted(name, "numbers within 2^" + GridCube.MaxSideLog2);
             return position;
         }
     }
@@ -375,8 +375,8 @@ namespace FastPoints.Store
     internal struct StoredDisplayRanges
     {
         public BoundsGeo BoundsGeo;
-        public CloudManifest.Range Elevation; // Along Z, in CRS units.
-        public CloudManifest.Range Intensity; // Stored values; both 0 if there is no intensity.
+        public CloudManifest.ValueRange Elevation; // Along Z, in CRS units.
+        public CloudManifest.ValueRange Intensity; // Stored values; both 0 if there is no intensity.
         public bool HasColor; // More than outliers have it.
         public bool HasMeaningfulClasses; // Several, and most points are of one that means something.
     }

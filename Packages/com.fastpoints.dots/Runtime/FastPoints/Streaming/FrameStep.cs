@@ -46,7 +46,7 @@ namespace FastPoints.Streaming
                     selector.Add(c, cloud.Pages, cloud.Placement, cloud.Source.Cubes.Size, cloud.IsReplacement);
             }
             selector.Select(views, settings.Selection);
-            if (stream.Motion.TryPredictView(views, stream.FramesToPredict))
+            if (stream.Motion.RecordAndTryPredict(views, stream.FramesToPredict))
                 selector.Prefetch(stream.Motion.Predicted, settings.Selection, stream.PointsToPrefetch);
             Touch(stream);
             stats.Frame = selector.Frame;

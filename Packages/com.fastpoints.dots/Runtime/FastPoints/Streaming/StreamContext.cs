@@ -245,7 +245,7 @@ namespace FastPoints.Streaming
         public NativeArray<StreamView> Predicted => m_predicted.AsArray();
 
         // False if the views stand still, cut, or changed in number.
-        public bool TryPredictView(NativeArray<StreamView> views, int frames)
+        public bool RecordAndTryPredict(NativeArray<StreamView> views, int frames)
         {
             double step = 0;
             bool isKnown = views.Length == m_last.Length && frames > 0;

@@ -32,7 +32,7 @@ namespace FastPoints.Streaming
 
         /// <summary>Points that are read ahead, as a share of the budget; twice as many of web servers.</summary>
         public float PrefetchShare = 0.25f;
-        internal const float DefaultFadeSeconds = 0.25f; // What scenes and the fly verb set; FadeSeconds itself starts at 0.
+        internal const float SceneFadeSeconds = 0.25f; // What scenes and the fly verb set; FadeSeconds itself starts at 0.
 
         /// <summary>How long a node takes to appear or to leave, point by point; 0 for at once. The pace is that of
         /// <see cref="StreamContext.FrameSeconds"/>.</summary>

@@ -56,13 +56,13 @@ namespace FastPoints.Streaming
             ? new PlaneShape(3, 7)
             : Source.Shapes[Source.Planes[plane]];
 
-        public void SetLengths(int page, int node, NodeTranscoder made)
+        public void SetTranscoded(int page, int node, NodeTranscoder made)
         {
             for (int p = 0; p < Source.Planes.Length; p++)
                 Pages[page].Planes[node * Source.Planes.Length + p].LengthBytes = made.LengthOf(p);
             ref var changed = ref Pages[page].Nodes[node];
             ref var state = ref Pages[page].States[node];
-            made.Made(ref changed.BlockCount, ref changed.PointCount);
+            made.CorrectCounts(ref changed.BlockCount, ref changed.PointCount);
             state.WasTranscoded = true;
             if (changed.BlockCount > 0)
                 return;
@@ -71,7 +71,7 @@ namespace FastPoints.Streaming
             state.Failures = NodeState.HoleFailures;
         }
 
-        public void Load(int page, in HierarchyPage built, NativeArray<byte> table)
+        public void InstallPage(int page, in HierarchyPage built, NativeArray<byte> table)
         {
             Source.RegisterPage(page, built, table);
             var to = Pages + page;

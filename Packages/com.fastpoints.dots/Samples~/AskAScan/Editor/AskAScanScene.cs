@@ -10,7 +10,7 @@ namespace FastPoints.Samples.AskAScan
         [MenuItem("FastPoints/Samples/Ask a scan")]
         static void Make() => SampleScene.Create(asset =>
         {
-            PointCloudDrops.Show(asset, Vector3.zero, null);
+            PointCloudDrops.AddToScene(asset, Vector3.zero, null);
             ObjectFactory.AddComponent<AskScan>(Camera.main.gameObject);
         });
     }

@@ -11,7 +11,7 @@ namespace FastPoints.Samples.AttributeColours
         [MenuItem("FastPoints/Samples/Attribute colours")]
         static void Make() => SampleScene.Create(asset =>
         {
-            var cloud = PointCloudDrops.Show(asset, Vector3.zero, null);
+            var cloud = PointCloudDrops.AddToScene(asset, Vector3.zero, null);
             cloud.Color = ColorMode.Classification;
             ObjectFactory.AddComponent<ColourSwitch>(cloud.gameObject);
             var box = SampleScene.Add<FastPoints.Entities.PointCloudClipBox>("Clip box").transform;

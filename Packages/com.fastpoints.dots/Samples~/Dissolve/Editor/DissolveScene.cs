@@ -13,7 +13,7 @@ namespace FastPoints.Samples.Dissolve
         [MenuItem("FastPoints/Samples/Dissolve")]
         static void Make() => SampleScene.Create(asset =>
         {
-            var cloud = PointCloudDrops.Show(asset, Vector3.zero, null);
+            var cloud = PointCloudDrops.AddToScene(asset, Vector3.zero, null);
             ObjectFactory.AddComponent<DissolveCloud>(cloud.gameObject).Shader =
                 AssetDatabase.LoadAssetAtPath<Shader>(AssetDatabase.GUIDToAssetPath(ShaderGuid));
         });

@@ -9,6 +9,6 @@ namespace FastPoints.Samples.EditAndExport
     {
         [MenuItem("FastPoints/Samples/Edit and export")]
         static void Make() => SampleScene.Create(asset =>
-            ObjectFactory.AddComponent<EditScan>(PointCloudDrops.Show(asset, Vector3.zero, null).gameObject));
+            ObjectFactory.AddComponent<EditScan>(PointCloudDrops.AddToScene(asset, Vector3.zero, null).gameObject));
     }
 }

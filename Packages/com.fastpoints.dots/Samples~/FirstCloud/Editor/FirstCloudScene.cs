@@ -11,7 +11,7 @@ namespace FastPoints.Samples.FirstCloud
         [MenuItem("FastPoints/Samples/First cloud")]
         static void Make() => SampleScene.Create(asset =>
         {
-            PointCloudDrops.Show(asset, Vector3.zero, null);
+            PointCloudDrops.AddToScene(asset, Vector3.zero, null);
             // Points and meshes hide each other because they share the camera's depth.
             var cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
             cube.transform.position = new Vector3(-52, 2.5f, -9);

@@ -10,7 +10,7 @@ namespace FastPoints.Samples.StreamingFlight
         [MenuItem("FastPoints/Samples/Streaming flight")]
         static void Make() => SampleScene.Create(asset =>
         {
-            var cloud = PointCloudDrops.Show(asset, Vector3.zero, null);
+            var cloud = PointCloudDrops.AddToScene(asset, Vector3.zero, null);
             var camera = Camera.main.gameObject;
             ObjectFactory.AddComponent<FlyThrough>(camera).Cloud = cloud;
             ObjectFactory.AddComponent<FrameFigures>(camera);

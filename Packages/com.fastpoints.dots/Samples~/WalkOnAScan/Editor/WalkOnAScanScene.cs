@@ -11,7 +11,7 @@ namespace FastPoints.Samples.WalkOnAScan
         [MenuItem("FastPoints/Samples/Walk on a scan")]
         static void Make() => SampleScene.Create(asset =>
         {
-            var cloud = PointCloudDrops.Show(asset, Vector3.zero, null);
+            var cloud = PointCloudDrops.AddToScene(asset, Vector3.zero, null);
             var ground = ObjectFactory.AddComponent<PointCloudCollider>(cloud.gameObject);
             // The sample has a point on half a metre, and trees are no obstacle.
             (ground.VoxelSize, ground.HoleSize, ground.Radius) = (0.5f, 3, 20);

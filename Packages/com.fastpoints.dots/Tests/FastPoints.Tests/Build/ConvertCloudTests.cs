@@ -243,7 +243,7 @@ namespace FastPoints.Tests.Build
             for (int i = 0; i < 20; i++)
                 positions[i * 1000].z = 100000;
             var manifest = Convert(MemoryReader.Of(positions, s_centimetres)).Manifest;
-            var shown = manifest.Shown.Value;
+            var shown = manifest.DisplayRanges.Value;
             Assert.That(manifest.BoundsGeo.Max.z, Is.EqualTo(1000).Within(1e-9));
             Assert.That(shown.Elevation.Min, Is.EqualTo(0.05).Within(0.04), "a two-hundredth lies below");
             Assert.That(shown.Elevation.Max, Is.EqualTo(9.95).Within(0.05));
@@ -257,7 +257,7 @@ namespace FastPoints.Tests.Build
             Assert.That((ranges.IntensityLow, ranges.IntensityHigh), Is.EqualTo((shown.Intensity.Min, shown.Intensity.Max)));
             Assert.That((ranges.Robust.Max.z, ranges.Full.Max.z), Is.EqualTo((shown.BoundsGeo.Max.z, manifest.BoundsGeo.Max.z)));
             Assert.That(ranges.Resolve(ColorMode.Auto), Is.EqualTo(ColorMode.Rgb));
-            read.Shown = null;
+            read.DisplayRanges = null;
             Assert.That(DisplayRanges.Of(read).ElevationHigh, Is.EqualTo(1000).Within(1e-9), "converted before it was told");
         }
 

@@ -182,7 +182,7 @@ namespace FastPoints.Tests.Core
                 for (int i = 0; i < count; i++)
                 {
                     ulong value = OrderedBits.Load(values + i * type.SizeOf(), type);
-                    wanted.Include(new AttributeStatistics { Min = value, Max = value, Or = value });
+                    wanted.Include(new AttributeStatistics { OrderedMin = value, OrderedMax = value, Or = value });
                     wanted.Modulo257Or |= type == AttributeType.UInt16 ? (uint)(value >> 8 ^ value & 0xFF) : 0;
                 }
                 Assert.That(found, Is.EqualTo(wanted));

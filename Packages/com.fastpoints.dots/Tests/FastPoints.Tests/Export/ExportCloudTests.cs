@@ -274,12 +274,12 @@ namespace FastPoints.Tests.Export
         {
             var byReturn = new ulong[16];
             byReturn[1] = 5_000_000_000;
-            var header = new LasHeader { VersionMinor = 4, PointFormat = 1, Count = 5_000_000_000 };
-            header.SetPoints("x", byReturn, default, default);
+            var header = new LasHeader { VersionMinor = 4, PointFormat = 1, Count64 = 5_000_000_000 };
+            header.SetCountsAndBounds("x", byReturn, default, default);
             Assert.That((header.LegacyCount, header.LegacyByReturn[0], header.ByReturn[0]),
                 Is.EqualTo((0u, 0u, 5_000_000_000ul)));
             header.VersionMinor = 2;
-            Failures.Of(() => header.SetPoints("x", byReturn, default, default), FailureCode.Unsupported, "1.2");
+            Failures.Of(() => header.SetCountsAndBounds("x", byReturn, default, default), FailureCode.Unsupported, "1.2");
         }
 
         static MemoryPointReader Grid()

@@ -56,7 +56,7 @@ namespace FastPoints.Tests.Las
         {
             using var file = new LasTestFile { Minor = 4, Format = 10, ExtraBytes = 3 }.RandomPoints(5000).Save();
             using var reader = PointReaders.Open(file.Path);
-            Assert.That(reader.HasFixedStride);
+            Assert.That(reader.HasCheapRanges);
             var whole = ReadPoints.Column<int>(reader, AttributeNames.Y);
             var red = ReadPoints.Column<ushort>(reader, AttributeNames.Red);
             var wanted = reader.Info.Schema.Select(AttributeNames.Y, AttributeNames.Red, "ExtraBytes[2]");

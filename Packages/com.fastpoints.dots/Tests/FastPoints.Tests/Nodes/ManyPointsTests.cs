@@ -41,8 +41,8 @@ namespace FastPoints.Tests.Nodes
                     var points = new double[map.Chunks.Length + 1];
                     int* chunkOfCell = (int*)map.ChunkOfCell.GetUnsafeReadOnlyPtr();
                     foreach (var stored in sample.Stored)
-                        points[map.Finder.ChunkOf(chunkOfCell, SourceGrid.ToGrid(axes.X, stored.x),
-                            SourceGrid.ToGrid(axes.Y, stored.y), SourceGrid.ToGrid(axes.Z, stored.z))] += weight;
+                        points[map.Finder.ChunkOf(chunkOfCell, SourceToGrid.ToGrid(axes.X, stored.x),
+                            SourceToGrid.ToGrid(axes.Y, stored.y), SourceToGrid.ToGrid(axes.Z, stored.z))] += weight;
                     Assert.That(points.Sum(), Is.EqualTo((double)Points).Within(1e-3 * Points));
                     Assert.That(points[map.Outside], Is.Zero);
                     // A range of the sample is in one cell and stands for 20 million points: no estimate is finer.

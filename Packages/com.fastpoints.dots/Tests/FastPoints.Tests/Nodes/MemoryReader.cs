@@ -52,7 +52,7 @@ namespace FastPoints.Tests.Nodes
         internal override ulong FilterHash => Filter;
         public override int BlockCount => (m_points + m_blockPoints - 1) / m_blockPoints;
         public override int MaxPointsPerBlock => Math.Min(m_blockPoints, m_points);
-        public override bool HasFixedStride => true;
+        public override bool HasCheapRanges => true;
 
         public override long FirstPointOfBlock(int block) => (long)block * m_blockPoints;
 

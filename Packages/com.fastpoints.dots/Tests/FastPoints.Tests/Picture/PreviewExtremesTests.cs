@@ -42,7 +42,7 @@ namespace FastPoints.Tests.Picture
                 RecordBytes = LasRecordBytes,
                 HeaderBytes = LasHeader.BytesOf(4),
                 PointsOffset = (uint)LasHeader.BytesOf(4),
-                Count = (ulong)points,
+                Count64 = (ulong)points,
                 LegacyCount = (uint)Math.Min(points, uint.MaxValue),
                 Scale = new double3(0.01, 0.01, 0.01),
                 Max = new double3(1e6, 1e6, 1e6),

@@ -29,15 +29,15 @@ namespace FastPoints.Tests.Store
                     new PointAttribute("odd \"name\"\n\\", AttributeType.Float64, 0.1, -7),
                 }),
                 Divisors = new[] { 257, 1 },
-                Ranges = new[] { new CloudManifest.Range { Min = 0, Max = 65535 }, new CloudManifest.Range { Min = double.NaN,
-                    Max = double.NaN } },
+                Ranges = new[] { new CloudManifest.ValueRange { Min = 0, Max = 65535 }, new CloudManifest.ValueRange
+                    { Min = double.NaN, Max = double.NaN } },
                 MetresPerUnit = double.NaN,
                 CrsName = "EPSG:26910",
-                Shown = new StoredDisplayRanges
+                DisplayRanges = new StoredDisplayRanges
                 {
                     BoundsGeo = new BoundsGeo(new double3(-1, 0.1, 2), new double3(1e7, 3, 4)),
-                    Elevation = new CloudManifest.Range { Min = 2.5, Max = 3.75 },
-                    Intensity = new CloudManifest.Range { Min = 7, Max = 900 },
+                    Elevation = new CloudManifest.ValueRange { Min = 2.5, Max = 3.75 },
+                    Intensity = new CloudManifest.ValueRange { Min = 7, Max = 900 },
                     HasColor = true,
                 },
                 HierarchyBytes = 12345,
@@ -59,7 +59,7 @@ namespace FastPoints.Tests.Store
             Assert.That(back.Grid.Origin.z, Is.EqualTo(1.0 / 3));
             Assert.That(back.Attributes[1].Name, Is.EqualTo("odd \"name\"\n\\"));
             Assert.That(back.Divisors[0], Is.EqualTo(257));
-            Assert.That(back.Shown, Is.EqualTo(Example().Shown));
+            Assert.That(back.DisplayRanges, Is.EqualTo(Example().DisplayRanges));
             Assert.That(back.RootPage, Is.EqualTo(Example().RootPage));
         }
 
@@ -67,10 +67,10 @@ namespace FastPoints.Tests.Store
         public void FromJson_WithoutDisplayRanges_IsRead()
         {
             var manifest = Example();
-            manifest.Shown = null;
+            manifest.DisplayRanges = null;
             string json = manifest.ToJson();
             Assert.That(json, Does.Not.Contain("shown"));
-            Assert.That(CloudManifest.FromJson(json, "cloud.json").Shown, Is.Null);
+            Assert.That(CloudManifest.FromJson(json, "cloud.json").DisplayRanges, Is.Null);
         }
 
         [Test]

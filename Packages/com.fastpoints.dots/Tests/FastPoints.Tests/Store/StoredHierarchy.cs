@@ -167,7 +167,7 @@ namespace FastPoints.Tests.Store
                 BoundsMax = new Grid3(last, last, last),
                 Attributes = new PointSchema(attributes),
                 Divisors = divisors,
-                Ranges = new CloudManifest.Range[attributes.Count],
+                Ranges = new CloudManifest.ValueRange[attributes.Count],
             };
         }
 

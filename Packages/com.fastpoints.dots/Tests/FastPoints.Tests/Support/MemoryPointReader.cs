@@ -34,7 +34,7 @@ namespace FastPoints.Tests
 
         public int PointsReadable { get; }
         public PointBatch Points => m_points;
-        public override bool HasFixedStride => m_fixedStride;
+        public override bool HasCheapRanges => m_fixedStride;
         public override int BlockCount => (m_points.Count + m_pointsPerBlock - 1) / m_pointsPerBlock;
         public override int MaxPointsPerBlock => Math.Min(m_pointsPerBlock, Math.Max(1, m_points.Count));
         public override long FirstPointOfBlock(int block) => (long)block * m_pointsPerBlock;

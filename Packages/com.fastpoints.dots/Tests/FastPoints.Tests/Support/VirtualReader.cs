@@ -34,7 +34,7 @@ namespace FastPoints.Tests
 
         public override int BlockCount => (int)(m_points / m_blockPoints);
         public override int MaxPointsPerBlock => m_blockPoints;
-        public override bool HasFixedStride => m_fixedStride;
+        public override bool HasCheapRanges => m_fixedStride;
         public override long FirstPointOfBlock(int block) => (long)block * m_blockPoints;
         public override int PointsInBlock(int block) => m_blockPoints;
         public override long BytesOfRange(BlockRange range) => 12L * range.Count;

@@ -140,7 +140,7 @@ namespace FastPoints.Build
                 yield return JobStep.Of(LoadNodes.Run(m_folder, cubes, batch, null));
                 var job = PackSourceNormalsJob.Of(batch, s_attributes, found);
                 yield return JobStep.Of(Slices.Run(0, batch.Count, PackSourceNormalsJob.PointsPerSlice, job.Schedule));
-                yield return JobStep.Of(normals.Take(found));
+                yield return JobStep.Of(normals.AppendNormals(found));
                 progress?.Report(normals.Points / (double)m_folder.Manifest.Points, normals.Points, normals.Bytes);
             }
         }
@@ -165,7 +165,7 @@ namespace FastPoints.Build
                     var job = OrientNormalsJob.Of(batch, scanners, region.Metres, found);
                     yield return JobStep.Of(Slices.Run(0, batch.Count, OrientNormalsJob.PointsPerSlice, job.Schedule));
                 }
-                yield return JobStep.Of(normals.Take(found));
+                yield return JobStep.Of(normals.AppendNormals(found));
                 progress?.Report(normals.Points / (double)manifest.Points, normals.Points, normals.Bytes);
             }
         }

@@ -84,7 +84,7 @@ namespace FastPoints.Build
 
         /// <summary>Coroutine: takes normals of the chosen nodes' points, in their order, and writes the containers that are
         /// complete.</summary>
-        public IEnumerator<JobStep> Take(NativeArray<ushort> normals)
+        public IEnumerator<JobStep> AppendNormals(NativeArray<ushort> normals)
         {
             int first = 0;
             var complete = new List<Container>();

@@ -34,14 +34,14 @@ namespace FastPoints.Build
     {
         const int VectorBytes = 32;
 
-        public ulong Min;
-        public ulong Max;
+        public ulong OrderedMin;
+        public ulong OrderedMax;
         public ulong Or; // The bitwise or of all values: trailing zeros give a power of two that divides all of them.
         public uint Modulo257Or; // 0 if every value is a multiple of 257: eight bits twice.
 
-        public static AttributeStatistics None => new AttributeStatistics { Min = ulong.MaxValue };
+        public static AttributeStatistics None => new AttributeStatistics { OrderedMin = ulong.MaxValue };
 
-        public bool IsEmpty => Min > Max;
+        public bool IsEmpty => OrderedMin > OrderedMax;
 
         public static unsafe AttributeStatistics Of(byte* values, AttributeType type, int count)
         {
@@ -52,8 +52,8 @@ namespace FastPoints.Build
             for (int i = 0; i < count; i++, values += size)
             {
                 ulong ordered = Store.OrderedBits.Load(values, type);
-                result.Min = math.min(result.Min, ordered);
-                result.Max = math.max(result.Max, ordered);
+                result.OrderedMin = math.min(result.OrderedMin, ordered);
+                result.OrderedMax = math.max(result.OrderedMax, ordered);
                 result.Or |= ordered;
             }
             return result;
@@ -85,8 +85,8 @@ namespace FastPoints.Build
                 X86.Avx.mm256_storeu_si256(found + 3 * VectorBytes, notDoubled);
                 for (int lane = 0; lane < VectorBytes; lane += size)
                 {
-                    result.Min = math.min(result.Min, Load(found + lane, size));
-                    result.Max = math.max(result.Max, Load(found + VectorBytes + lane, size));
+                    result.OrderedMin = math.min(result.OrderedMin, Load(found + lane, size));
+                    result.OrderedMax = math.max(result.OrderedMax, Load(found + VectorBytes + lane, size));
                     result.Or |= Load(found + 2 * VectorBytes + lane, size);
                     result.Modulo257Or |= found[3 * VectorBytes + lane];
                 }
@@ -94,8 +94,8 @@ namespace FastPoints.Build
             for (; at < bytes; at += size)
             {
                 uint value = Load(values + at, size);
-                result.Min = math.min(result.Min, value);
-                result.Max = math.max(result.Max, value);
+                result.OrderedMin = math.min(result.OrderedMin, value);
+                result.OrderedMax = math.max(result.OrderedMax, value);
                 result.Or |= value;
                 result.Modulo257Or |= (value >> 8 ^ value) & 0xFF;
             }
@@ -107,8 +107,8 @@ namespace FastPoints.Build
 
         public void Include(in AttributeStatistics other)
         {
-            Min = Min < other.Min ? Min : other.Min;
-            Max = Max > other.Max ? Max : other.Max;
+            OrderedMin = OrderedMin < other.OrderedMin ? OrderedMin : other.OrderedMin;
+            OrderedMax = OrderedMax > other.OrderedMax ? OrderedMax : other.OrderedMax;
             Or |= other.Or;
             Modulo257Or |= other.Modulo257Or;
         }

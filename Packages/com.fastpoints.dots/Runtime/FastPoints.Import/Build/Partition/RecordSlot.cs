@@ -64,7 +64,7 @@ namespace FastPoints.Build
         public NativeList<DetachedRecordPages> Detached { get; }
 
         /// <param name="result">Says how many points the batch has, when <paramref name="decoded"/> completes.</param>
-        public JobHandle ScheduleGrouping(PointBatch batch, NativeReference<DecodeResult> result, in SourceGrid grid,
+        public JobHandle ScheduleGrouping(PointBatch batch, NativeReference<DecodeResult> result, in SourceToGrid grid,
             JobHandle decoded)
         {
             return new GroupRecordsJob
@@ -129,7 +129,7 @@ namespace FastPoints.Build
         [ReadOnly] public NativeReference<DecodeResult> Decoded;
         public PositionColumns Positions;
         [ReadOnly] public NativeArray<RecordField> Fields;
-        public SourceGrid Grid;
+        public SourceToGrid Grid;
         public RecordLayout Layout;
         public ChunkFinder Chunks;
         [ReadOnly] public NativeArray<int> ChunkOfCell;
@@ -224,8 +224,8 @@ namespace FastPoints.Build
             for (int i = 0; i < count; i++)
             {
                 chunks[i] = -1;
-                if (x[i] == SourceGrid.InvalidPosition || y[i] == SourceGrid.InvalidPosition ||
-                    z[i] == SourceGrid.InvalidPosition)
+                if (x[i] == SourceToGrid.InvalidPosition || y[i] == SourceToGrid.InvalidPosition ||
+                    z[i] == SourceToGrid.InvalidPosition)
                 {
                     statistics.LeftOut++;
                     continue;
@@ -301,9 +301,9 @@ namespace FastPoints.Build
         void LoadOffsets(byte* bytes, int first, int count, uint* offsets)
         {
             var (stored, origin) = (Positions, Layout.Base);
-            SourceGrid.ToOffsets(Grid.X, stored.X.At(bytes, first), stored.X.Type, count, origin.X, offsets);
-            SourceGrid.ToOffsets(Grid.Y, stored.Y.At(bytes, first), stored.Y.Type, count, origin.Y, offsets + BatchPoints);
-            SourceGrid.ToOffsets(Grid.Z, stored.Z.At(bytes, first), stored.Z.Type, count, origin.Z, offsets + 2 * BatchPoints);
+            SourceToGrid.ToOffsets(Grid.X, stored.X.At(bytes, first), stored.X.Type, count, origin.X, offsets);
+            SourceToGrid.ToOffsets(Grid.Y, stored.Y.At(bytes, first), stored.Y.Type, count, origin.Y, offsets + BatchPoints);
+            SourceToGrid.ToOffsets(Grid.Z, stored.Z.At(bytes, first), stored.Z.Type, count, origin.Z, offsets + 2 * BatchPoints);
         }
 
         /// <summary>Copies records to their indices.</summary>
@@ -324,9 +324,9 @@ namespace FastPoints.Build
         void LoadBatch(byte* bytes, int first, int count, long* positions, ref double loss)
         {
             var stored = Positions;
-            SourceGrid.ToGrid(Grid.X, stored.X.At(bytes, first), stored.X.Type, count, positions, ref loss);
-            SourceGrid.ToGrid(Grid.Y, stored.Y.At(bytes, first), stored.Y.Type, count, positions + BatchPoints, ref loss);
-            SourceGrid.ToGrid(Grid.Z, stored.Z.At(bytes, first), stored.Z.Type, count, positions + 2 * BatchPoints, ref loss);
+            SourceToGrid.ToGrid(Grid.X, stored.X.At(bytes, first), stored.X.Type, count, positions, ref loss);
+            SourceToGrid.ToGrid(Grid.Y, stored.Y.At(bytes, first), stored.Y.Type, count, positions + BatchPoints, ref loss);
+            SourceToGrid.ToGrid(Grid.Z, stored.Z.At(bytes, first), stored.Z.Type, count, positions + 2 * BatchPoints, ref loss);
         }
 
         static void CopyColumn(byte* from, int size, int count, byte* to, int stride)

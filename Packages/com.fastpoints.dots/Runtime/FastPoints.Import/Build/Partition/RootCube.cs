@@ -66,7 +66,7 @@ namespace FastPoints.Build
             }
             if (min.X > max.X)
                 return Around(default, default);
-            const long limit = SourceGrid.Limit - 1;
+            const long limit = SourceToGrid.Limit - 1;
             min = Grid3.Max(min, new Grid3(-limit, -limit, -limit));
             max = Grid3.Min(max, new Grid3(limit, limit, limit));
 
@@ -95,8 +95,8 @@ namespace FastPoints.Build
             return Around(min, max);
         }
 
-        static Grid3 ToGrid(in SourceGrid grid, double3 stored) =>
-            new Grid3(SourceGrid.ToGrid(grid.X, stored.x), SourceGrid.ToGrid(grid.Y, stored.y),
-                SourceGrid.ToGrid(grid.Z, stored.z));
+        static Grid3 ToGrid(in SourceToGrid grid, double3 stored) =>
+            new Grid3(SourceToGrid.ToGrid(grid.X, stored.x), SourceToGrid.ToGrid(grid.Y, stored.y),
+                SourceToGrid.ToGrid(grid.Z, stored.z));
     }
 }

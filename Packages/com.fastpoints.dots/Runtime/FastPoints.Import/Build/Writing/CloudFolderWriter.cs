@@ -21,7 +21,7 @@ namespace FastPoints.Build
         internal const string LockName = "build.lock";
 
         readonly string m_target;
-        readonly string m_part;
+        readonly string m_unfinished;
         readonly FolderLock m_lock;
         readonly WriteQueue m_queue;
         bool m_isLost;
@@ -33,13 +33,13 @@ namespace FastPoints.Build
         public CloudFolderWriter(string target)
         {
             m_target = target.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);
-            m_part = m_target + StoreFormat.UnfinishedSuffix;
+            m_unfinished = m_target + StoreFormat.UnfinishedSuffix;
             CheckReplaceable(target);
             try
             {
-                Directory.CreateDirectory(m_part);
+                Directory.CreateDirectory(m_unfinished);
                 m_lock = Lock();
-                using var entries = Directory.EnumerateFileSystemEntries(m_part).GetEnumerator();
+                using var entries = Directory.EnumerateFileSystemEntries(m_unfinished).GetEnumerator();
                 // One is the lock.
                 HasLeftovers = entries.MoveNext() && entries.MoveNext();
                 MakeFolders();
@@ -47,7 +47,7 @@ namespace FastPoints.Build
             catch (Exception e) when (e is PointCloudException || FileFailures.IsFileFailure(e))
             {
                 m_lock?.Dispose();
-                throw e as PointCloudException ?? FileFailures.WriteFailure(m_part, e);
+                throw e as PointCloudException ?? FileFailures.WriteFailure(m_unfinished, e);
             }
             m_queue = new WriteQueue(RenewLock, FolderLock.RenewAfter);
         }
@@ -110,11 +110,11 @@ namespace FastPoints.Build
         });
 
         /// <summary>Coroutine: deletes everything in it, so that the build starts over.</summary>
-        public IEnumerator<JobStep> Clear() => Await(m_queue.Run(m_part, () =>
+        public IEnumerator<JobStep> Clear() => Await(m_queue.Run(m_unfinished, () =>
         {
-            foreach (string folder in Directory.GetDirectories(m_part))
+            foreach (string folder in Directory.GetDirectories(m_unfinished))
                 FileChanges.DeleteFolder(folder);
-            foreach (string file in Directory.GetFiles(m_part))
+            foreach (string file in Directory.GetFiles(m_unfinished))
                 if (Path.GetFileName(file) != LockName)
                     FileChanges.Delete(file);
             MakeFolders();
@@ -139,7 +139,7 @@ namespace FastPoints.Build
         /// survives a loss of power.</summary>
         public WriteTicket SyncRecords(string name) => m_queue.Sync(PathOf(name));
 
-        public string PathOf(string name) => Path.Combine(m_part, name);
+        public string PathOf(string name) => Path.Combine(m_unfinished, name);
 
         public void Delete(string name) => m_queue.Run(PathOf(name), () => FileChanges.TryDelete(PathOf(name), () => false));
 
@@ -158,7 +158,7 @@ namespace FastPoints.Build
         public long BytesOnDisk { get; private set; }
 
         /// <summary>Free bytes on the target's disk; -1 if unknown.</summary>
-        public long FreeBytes() => FreeBytesOf(m_part);
+        public long FreeBytes() => FreeBytesOf(m_unfinished);
 
         /// <summary>Free bytes on a folder's disk; -1 if unknown, as on Windows of \\server\share.</summary>
         public static long FreeBytesOf(string folder)
@@ -179,7 +179,7 @@ namespace FastPoints.Build
         /// <exception cref="PointCloudException">It cannot be renamed, or now belongs to another writer.</exception>
         public IEnumerator<JobStep> Complete()
         {
-            FolderReleases.Release(m_part);
+            FolderReleases.Release(m_unfinished);
             FolderReleases.Release(m_target);
             try
             {
@@ -191,7 +191,7 @@ namespace FastPoints.Build
             finally
             {
                 m_queue.End();
-                FolderReleases.Reacquire(m_part);
+                FolderReleases.Reacquire(m_unfinished);
                 FolderReleases.Reacquire(m_target);
             }
         }
@@ -205,7 +205,7 @@ namespace FastPoints.Build
                 return;
             m_isComplete = true;
             if (!m_isKept && !m_isLost && m_lock.IsHeld)
-                Delete(m_part, m_lock);
+                Delete(m_unfinished, m_lock);
             else
                 m_lock.Dispose();
         }
@@ -231,12 +231,12 @@ namespace FastPoints.Build
         }
 
         /// <summary>The lock goes with the folder. One that cannot be moved is cleared by the next build of the target.</summary>
-        static void Delete(string part, FolderLock taken)
+        static void Delete(string unfinished, FolderLock taken)
         {
-            FolderReleases.Release(part);
-            FileChanges.BeginDelete(part, failure =>
+            FolderReleases.Release(unfinished);
+            FileChanges.BeginDelete(unfinished, failure =>
             {
-                FolderReleases.Reacquire(part);
+                FolderReleases.Reacquire(unfinished);
                 if (failure != null)
                     taken.Dispose();
             });
@@ -260,7 +260,7 @@ namespace FastPoints.Build
                 if (!Directory.Exists(m_target) && Directory.Exists(old))
                     FileChanges.MoveFolder(old, m_target);
                 throw new PointCloudException(FileFailures.WriteFailure(m_target, e).Code, m_target, -1,
-                    "is converted but for its name: wanted to rename " + m_part + ", and the system said: " + e.Message +
+                    "is converted but for its name: wanted to rename " + m_unfinished + ", and the system said: " + e.Message +
                     " Close what has files of it open, and convert again, which goes on from here", e);
             }
             m_isComplete = true;
@@ -278,7 +278,7 @@ namespace FastPoints.Build
         {
             FileChanges.DeleteFolder(PathOf(BuildFiles.RecordFolderName));
             FileChanges.DeleteFolder(PathOf(BuildFiles.TopFolderName));
-            foreach (string file in Directory.GetFiles(m_part, StoreFormat.HierarchyName.Replace(".bin", "-*.bin")))
+            foreach (string file in Directory.GetFiles(m_unfinished, StoreFormat.HierarchyName.Replace(".bin", "-*.bin")))
                 FileChanges.Delete(file);
             foreach (string file in Directory.GetFiles(PathOf(StoreFormat.UpperFolderName), "*.*.bin"))
                 FileChanges.Delete(file);
@@ -287,7 +287,7 @@ namespace FastPoints.Build
                 FileChanges.DeleteFolder(old);
                 FileChanges.MoveFolder(m_target, old);
             }
-            FileChanges.MoveFolder(m_part, m_target);
+            FileChanges.MoveFolder(m_unfinished, m_target);
         }
 
         void MakeFolders()

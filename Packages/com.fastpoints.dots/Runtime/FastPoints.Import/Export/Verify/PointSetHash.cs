@@ -18,14 +18,14 @@ namespace FastPoints.Export
     {
         readonly PointSchema m_attributes;
         readonly RecordLayout m_layout;
-        readonly SourceGrid m_grid;
+        readonly SourceToGrid m_grid;
         readonly int m_capacity;
         readonly PartitionMap m_map;
         readonly List<RecordSlot> m_slots = new List<RecordSlot>();
         readonly List<NativeReference<ulong>> m_sums = new List<NativeReference<ulong>>();
         readonly List<JobHandle> m_jobs = new List<JobHandle>();
 
-        public PointSetHash(PointSchema attributes, in SourceGrid grid, int capacity)
+        public PointSetHash(PointSchema attributes, in SourceToGrid grid, int capacity)
         {
             m_attributes = attributes;
             m_layout = new RecordLayout(true, default, attributes.BytesPerPoint);

@@ -6,9 +6,9 @@ namespace FastPoints.Laz
     [StructLayout(LayoutKind.Sequential)]
     unsafe struct ZLayer
     {
-        const int Contexts = 20;
+        const int ModelContexts = 20;
         const int ZOffset = 64;
-        public const int ContextBytes = ZOffset + 64 + Contexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
+        public const int ContextBytes = ZOffset + 64 + ModelContexts * SymbolModel.Bytes33 + 31 * SymbolModel.Bytes256;
 
         int m_last;
         fixed int m_lastOfLevel[8];
@@ -19,7 +19,7 @@ namespace FastPoints.Laz
             context->m_last = z;
             for (int i = 0; i < 8; i++)
                 context->m_lastOfLevel[i] = z;
-            IntegerModel.Initialize(memory + ZOffset, 32, Contexts);
+            IntegerModel.Initialize(memory + ZOffset, 32, ModelContexts);
         }
 
         public static int Decode(LayerState* layer, byte* contexts, uint* pointContexts, byte* field, int stride, int count)
@@ -43,7 +43,7 @@ namespace FastPoints.Laz
                         StartContext(memory, z);
                 }
                 int* last = ((ZLayer*)memory)->m_lastOfLevel + PointContext.Level(point);
-                int added = *last + IntegerModel.Decode(memory + ZOffset, 32, Contexts, (int)(point >> PointContext.ZShift),
+                int added = *last + IntegerModel.Decode(memory + ZOffset, 32, ModelContexts, (int)(point >> PointContext.ZShift),
                     ref value, ref length, ref next);
                 if (next > end)
                     break;
@@ -74,8 +74,8 @@ namespace FastPoints.Laz
                         StartContext(memory, z);
                 }
                 int* last = ((ZLayer*)memory)->m_lastOfLevel + PointContext.Level(point);
-                IntegerModel.Encode(memory + ZOffset, 32, Contexts, (int)(point >> PointContext.ZShift), *(int*)field - *last,
-                    out _, ref low, ref length, ref next);
+                IntegerModel.Encode(memory + ZOffset, 32, ModelContexts, (int)(point >> PointContext.ZShift),
+                    *(int*)field - *last, out _, ref low, ref length, ref next);
                 *last = ((ZLayer*)memory)->m_last = *(int*)field;
             }
             layer->SaveState(current, low, length, next);

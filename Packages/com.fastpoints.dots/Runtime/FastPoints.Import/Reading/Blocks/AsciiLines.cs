@@ -178,7 +178,7 @@ namespace FastPoints.Reading
         public AsciiRowScan(PointReader reader, SourceHandle file, long offset, int blockBytes, ulong rowsBefore, ulong rowsEnd)
         {
             long fileBytes = reader.Info.FileBytes;
-            int maxJobs = reader.MaxJobs;
+            int maxJobs = reader.MaxIndexingJobs;
             m_file = file;
             m_fileBytes = fileBytes;
             m_blockBytes = blockBytes;

@@ -84,7 +84,7 @@ namespace FastPoints.Reading
                     var counted = slots[slot].Begin(m_file, OffsetOf(parts[slot]), SegmentBytes, window?.Take());
                     JobHandle.ScheduleBatchedJobs();
                     return counted;
-                }, slot => Take(slots[slot], parts[slot]), window));
+                }, slot => AddBlock(slots[slot], parts[slot]), window));
             }
             finally
             {
@@ -103,7 +103,7 @@ namespace FastPoints.Reading
             return m_offset + first + (long)((hash ^ hash >> 31) % (ulong)count);
         }
 
-        void Take(AsciiSlot slot, int part)
+        void AddBlock(AsciiSlot slot, int part)
         {
             int rows = slot.End().RowsAfterFirstEnd;
             m_found++;

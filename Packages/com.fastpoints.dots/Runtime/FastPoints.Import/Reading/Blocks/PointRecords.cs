@@ -63,9 +63,9 @@ namespace FastPoints.Reading
             }
         }
 
-        public static uint Reverse(uint v) => v >> 24 | (v >> 8 & 0xFF00) | (v << 8 & 0xFF0000) | v << 24;
+        public static uint ReverseBytes(uint v) => v >> 24 | (v >> 8 & 0xFF00) | (v << 8 & 0xFF0000) | v << 24;
 
-        public static ulong Reverse(ulong v) => (ulong)Reverse((uint)v) << 32 | Reverse((uint)(v >> 32));
+        public static ulong ReverseBytes(ulong v) => (ulong)ReverseBytes((uint)v) << 32 | ReverseBytes((uint)(v >> 32));
 
         static int TilePoints(int recordBytes) => recordBytes < TileBytes / 64 ? TileBytes / recordBytes : 64;
 
@@ -96,11 +96,11 @@ namespace FastPoints.Reading
                     break;
                 case FieldCopyKind.Bytes4Reversed:
                     for (int i = 0; i < count; i++, from += stride)
-                        ((uint*)to)[first + i] = Reverse(*(uint*)from);
+                        ((uint*)to)[first + i] = ReverseBytes(*(uint*)from);
                     break;
                 case FieldCopyKind.Bytes8Reversed:
                     for (int i = 0; i < count; i++, from += stride)
-                        ((ulong*)to)[first + i] = Reverse(*(ulong*)from);
+                        ((ulong*)to)[first + i] = ReverseBytes(*(ulong*)from);
                     break;
                 case FieldCopyKind.TripleOfBytes1:
                     ToThreeOfOne(from, stride, count, to + first, columns + copy->Column1 + first,

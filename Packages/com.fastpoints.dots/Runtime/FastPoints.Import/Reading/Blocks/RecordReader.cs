@@ -66,7 +66,7 @@ namespace FastPoints.Reading
         long Points => Records == null ? 0 : m_points;
 
         public sealed override bool BlocksAreKnown => m_records != null;
-        public sealed override bool HasFixedStride => true;
+        public sealed override bool HasCheapRanges => true;
         public sealed override int BlockCount => (int)((Points + m_blockPoints - 1) / m_blockPoints);
         public sealed override int MaxPointsPerBlock => (int)Math.Min(m_blockPoints, Points);
 

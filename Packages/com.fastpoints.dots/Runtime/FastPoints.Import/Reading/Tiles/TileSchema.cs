@@ -236,7 +236,7 @@ namespace FastPoints.Reading
         public PositionTransform Transform;
         public bool IsKnown; // A header gave the blocks: the reader can be closed and reopened.
 
-        public bool HasFixedStride;
+        public bool HasCheapRanges;
         public int RecordBytes;
         public int FirstBlock;
         public int BlockCount;

@@ -26,7 +26,7 @@ namespace FastPoints.Reading
         bool m_blocksAreKnown;
         int m_blockCount;
         int m_maxPointsPerBlock;
-        bool m_hasFixedStride = true;
+        bool m_hasCheapRanges = true;
         bool m_isRemote;
         bool m_hasMoreWarnings;
         long m_clock;
@@ -78,7 +78,7 @@ namespace FastPoints.Reading
         public override int BlockCount => m_blocksAreKnown ? m_blockCount
             : throw new InvalidOperationException("IndexBlocks comes first");
         public override int MaxPointsPerBlock => m_maxPointsPerBlock;
-        public override bool HasFixedStride => m_hasFixedStride;
+        public override bool HasCheapRanges => m_hasCheapRanges;
 
         public int OpenCount
         {
@@ -124,7 +124,7 @@ namespace FastPoints.Reading
             var tile = TileOfBlock(range.Block);
             if (tile.Reader != null)
                 return tile.Reader.BytesOfRange(new BlockRange(range.Block - tile.FirstBlock, range.First, range.Count));
-            return tile.HasFixedStride && tile.RecordBytes > 0
+            return tile.HasCheapRanges && tile.RecordBytes > 0
                 ? (long)range.Count * tile.RecordBytes
                 : (long)(tile.FileBytes / (double)Math.Max(1, tile.Points) * range.Count);
         }
@@ -146,7 +146,7 @@ namespace FastPoints.Reading
                 Acquire(tile);
                 try
                 {
-                    tile.Reader.MaxJobs = MaxJobs;
+                    tile.Reader.MaxIndexingJobs = MaxIndexingJobs;
                     using (var work = new CoroutineStack(tile.Reader.IndexBlocks()))
                         while (Step(work, tile))
                             yield return work.Current;
@@ -347,7 +347,7 @@ namespace FastPoints.Reading
                         Schema = Shared(reader.Info.Schema),
                         Transform = reader.Info.Transform,
                         IsKnown = reader.BlocksAreKnown,
-                        HasFixedStride = reader.HasFixedStride,
+                        HasCheapRanges = reader.HasCheapRanges,
                         RecordBytes = reader.Info.RecordBytes,
                         Crs = summary.SharedCrs(reader.Info),
                         Reader = reader,
@@ -356,7 +356,7 @@ namespace FastPoints.Reading
                     if (tile.IsKnown)
                         AddBlocks(tile);
                     isKnown &= tile.IsKnown;
-                    m_hasFixedStride &= tile.HasFixedStride;
+                    m_hasCheapRanges &= tile.HasCheapRanges;
                     summary.Include(reader.Info);
                     if (m_tiles.Count <= MaxListed)
                         Info.AddFact(SourcePath.NameOf(path), summary.Describe(reader.Info));

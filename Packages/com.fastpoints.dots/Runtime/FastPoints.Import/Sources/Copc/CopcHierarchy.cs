@@ -197,7 +197,7 @@ namespace FastPoints.Sources
     internal struct CopcEntry
     {
         public const int Bytes = 32;
-        public const int PageCount = -1;
+        public const int PointCountOfPage = -1;
         public const int MaxLevel = 30; // The cells of deeper nodes do not fit into an int.
 
         public int Level;
@@ -206,7 +206,7 @@ namespace FastPoints.Sources
         public int ByteSize;
         public int PointCount;
 
-        public bool IsPage => PointCount == PageCount;
+        public bool IsPage => PointCount == PointCountOfPage;
         public bool HasKey => Level >= 0 && Level <= MaxLevel && math.all(Cell >= 0) && math.all(Cell < 1 << Level);
         public int4 Key => new int4(Cell.x, Cell.y, Cell.z, Level);
 

@@ -89,7 +89,7 @@ namespace FastPoints.Sources
         void Reconcile()
         {
             long ofNodes = PointCount;
-            Info.Warn(LasHeader.At.Count, "the header claims " + Info.PointsClaimed + " points, the octree's nodes "
+            Info.Warn(LasHeader.At.Count64, "the header claims " + Info.PointsClaimed + " points, the octree's nodes "
                 + NumberText.Of(ofNodes));
             var chunks = Blocks.Chunks;
             var known = new HashSet<long>();

@@ -78,7 +78,7 @@ namespace FastPoints.Sources
         {
             Cube = Box(json.Numbers("bounds", 6));
             if (Cube.IsEmpty)
-                throw json.Bad("bounds", "a box");
+                throw json.Wanted("bounds", "a box");
             double span = json.Number("span", DefaultSpan);
             if (!(span >= 1))
             {
@@ -139,9 +139,9 @@ namespace FastPoints.Sources
             long size = dimension.Long("size");
             bool isFloat = type == "float" || type == "floating", isSigned = type == "signed";
             if (!isFloat && !isSigned && type != "unsigned")
-                throw dimension.Bad("type", "signed, unsigned or float");
+                throw dimension.Wanted("type", "signed, unsigned or float");
             if (size != 4 && size != 8 && (isFloat || size != 1 && size != 2))
-                throw dimension.Bad("size", isFloat ? "4 or 8 for a float" : "1, 2, 4 or 8");
+                throw dimension.Wanted("size", isFloat ? "4 or 8 for a float" : "1, 2, 4 or 8");
             return !isFloat ? AttributeTypes.Integer((int)size, isSigned)
                 : size == 4 ? AttributeType.Float32 : AttributeType.Float64;
         }

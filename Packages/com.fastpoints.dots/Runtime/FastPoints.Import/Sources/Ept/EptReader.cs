@@ -66,14 +66,14 @@ namespace FastPoints.Sources
 
         internal EptMetadata Metadata { get; }
 
-        public override bool HasFixedStride => Metadata.DataType == EptDataType.Binary;
+        public override bool HasCheapRanges => Metadata.DataType == EptDataType.Binary;
 
         internal override string NameOf(int level, int3 cell) => EptEntry.NameOf(level, cell);
 
         public string PathOf(int level, int3 cell) => SourcePath.Combine(SourcePath.Combine(Metadata.Folder, DataFolder),
-            EptEntry.NameOf(level, cell) + (HasFixedStride ? ".bin" : Metadata.DataType == EptDataType.Laszip ? ".laz" : ".zst"));
+            EptEntry.NameOf(level, cell) + (HasCheapRanges ? ".bin" : Metadata.DataType == EptDataType.Laszip ? ".laz" : ".zst"));
 
-        private protected override int BytesPerPoint => HasFixedStride ? Metadata.RecordBytes : 0;
+        private protected override int BytesPerPoint => HasCheapRanges ? Metadata.RecordBytes : 0;
 
         public override string FileOfBlock(int block, out long byteOffset)
         {
@@ -88,7 +88,7 @@ namespace FastPoints.Sources
 
         public override long BytesOfRange(BlockRange range)
         {
-            if (HasFixedStride)
+            if (HasCheapRanges)
                 return (long)range.Count * Metadata.RecordBytes;
             var block = Block(range.Block);
             double share = Metadata.DataType == EptDataType.Laszip ? block.NodePoints
@@ -125,7 +125,7 @@ namespace FastPoints.Sources
                     + "zstandard, for which .NET Standard 2.1 has nothing: set Decompressors.Zstandard to a decompressor "
                     + "(the command line takes the system's libzstd), or convert it (./fastpoints convert, or pdal "
                     + "translate to LAZ)");
-            return new EptRecordRead(this, HasFixedStride ? null : Decompressors.Zstandard, wanted, capacity, allocator);
+            return new EptRecordRead(this, HasCheapRanges ? null : Decompressors.Zstandard, wanted, capacity, allocator);
         }
     }
 }

@@ -87,7 +87,7 @@ namespace FastPoints.Sources
             return WithFirstLevel(new Potree1Reader(metadata, files, layout, template, listed));
         }
 
-        public override bool HasFixedStride => m_layout != null;
+        public override bool HasCheapRanges => m_layout != null;
 
         internal override PotreeLayout Layout => m_layout;
 

@@ -72,7 +72,7 @@ namespace FastPoints.Sources
             return WithFirstLevel(new Potree2Reader(metadata, path, bytes, octreeBytes));
         }
 
-        public override bool HasFixedStride => !IsBrotli;
+        public override bool HasCheapRanges => !IsBrotli;
 
         internal bool IsBrotli { get; }
 

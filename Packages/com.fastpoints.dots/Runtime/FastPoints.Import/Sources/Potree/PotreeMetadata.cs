@@ -36,7 +36,7 @@ namespace FastPoints.Sources
         {
             long bytes = item.Long("size");
             if (bytes < 1 || bytes > PotreeAttribute.MaxElements * 8)
-                throw item.Bad("size", "1 to " + PotreeAttribute.MaxElements * 8 + " bytes");
+                throw item.Wanted("size", "1 to " + PotreeAttribute.MaxElements * 8 + " bytes");
             long elements = item.Long(elementsName, 1);
             int numbers = (int)Math.Max(1, Math.Min(elements, PotreeAttribute.MaxElements));
             double[] scales = item.IsNumbers("scale", numbers) ? item.Numbers("scale", (int)elements) : null;
@@ -194,7 +194,7 @@ namespace FastPoints.Sources
             }
             foreach (object item in list)
             {
-                string name = JsonReader.OneLine(item as string ?? throw json.Bad("pointAttributes", "names"));
+                string name = JsonReader.OneLine(item as string ?? throw json.Wanted("pointAttributes", "names"));
                 if (s_named.TryGetValue(name, out var known))
                 {
                     Attributes.Add(PotreeAttribute.Make(name, known.Type, known.Bytes, null, null, out _));

@@ -24,7 +24,7 @@ namespace FastPoints.Sources
         // Null for nodes that are LAS or LAZ files.
         internal abstract PotreeLayout Layout { get; }
 
-        private protected sealed override int BytesPerPoint => HasFixedStride ? Layout.RecordBytes : 0;
+        private protected sealed override int BytesPerPoint => HasCheapRanges ? Layout.RecordBytes : 0;
 
         // Grid steps from a block's corner to the cloud's.
         internal abstract int3 ShiftOf(int block);
@@ -37,7 +37,7 @@ namespace FastPoints.Sources
         public override long BytesOfRange(BlockRange range)
         {
             var block = Block(range.Block);
-            long points = HasFixedStride ? range.Count : range.First + range.Count;
+            long points = HasCheapRanges ? range.Count : range.First + range.Count;
             return (long)(BytesOf(block) * (points / (double)Math.Max(1, block.Points)));
         }
 

@@ -23,7 +23,7 @@ namespace FastPoints.Sources
         [ReadOnly] public NativeArray<byte> Columns;
         [ReadOnly] public NativeReference<DecodeResult> Decoded;
         public PositionColumns Positions;
-        public SourceGrid Grid;
+        public SourceToGrid Grid;
         public Grid3 Corner;
         public bool IsWide;
         public Grid3 CubeCorner; // Relative to Corner.
@@ -67,9 +67,9 @@ namespace FastPoints.Sources
             for (int at = 0; at < count; at += BatchLength)
             {
                 int length = math.min(BatchLength, count - at);
-                SourceGrid.ToGrid(Grid.X, Positions.X.At(columns, First + at), Positions.X.Type, length, x, ref loss);
-                SourceGrid.ToGrid(Grid.Y, Positions.Y.At(columns, First + at), Positions.Y.Type, length, y, ref loss);
-                SourceGrid.ToGrid(Grid.Z, Positions.Z.At(columns, First + at), Positions.Z.Type, length, z, ref loss);
+                SourceToGrid.ToGrid(Grid.X, Positions.X.At(columns, First + at), Positions.X.Type, length, x, ref loss);
+                SourceToGrid.ToGrid(Grid.Y, Positions.Y.At(columns, First + at), Positions.Y.Type, length, y, ref loss);
+                SourceToGrid.ToGrid(Grid.Z, Positions.Z.At(columns, First + at), Positions.Z.Type, length, z, ref loss);
                 isValid &= Store(x, Corner.X, 0, First + at, length) & Store(y, Corner.Y, 1, First + at, length) &
                     Store(z, Corner.Z, 2, First + at, length);
                 for (int i = 0; i < length; i++)

@@ -14,7 +14,7 @@ namespace FastPoints.Sources
     internal struct TreeGrid
     {
         public CloudGrid Grid;
-        public SourceGrid Source;
+        public SourceToGrid Source;
         public GridCube Root; // The smallest cube with a power-of-two side that contains the source's.
 
         // Packed positions count from it in all nodes: no number that the source can hold lies below it. A block has its own
@@ -51,7 +51,7 @@ namespace FastPoints.Sources
             Source = choice.Sources[0];
 
             double3 first = math.floor((CubeMin - Grid.Origin) / Grid.Step), steps = math.ceil(CubeSize / Grid.Step) + 1;
-            if (!(math.cmax(math.abs(first)) < SourceGrid.Limit) || !(math.cmax(steps) < SourceGrid.Limit))
+            if (!(math.cmax(math.abs(first)) < SourceToGrid.Limit) || !(math.cmax(steps) < SourceToGrid.Limit))
                 throw PointCloudException.Wanted(FailureCode.Unsupported, info.Path, -1, "the octree's cube",
                     "less than 2^60 steps", math.cmax(steps));
             var corner = new Grid3((long)first.x, (long)first.y, (long)first.z);

@@ -79,17 +79,17 @@ namespace FastPoints.Sources
             // Upper levels first.
             m_fetched = m_reader.IsRemote ? m_reader.Fetch(Range, m_node.Level) : null;
             if (m_fetched == null)
-                Decode();
+                ScheduleDecode();
         }
 
         BlockRange Range => new BlockRange(m_node.Block, 0, m_node.PointCount);
 
-        internal override bool TryDecode()
+        internal override bool TryScheduleDecode()
         {
             if (m_fetched == null)
                 return true;
             if (m_fetched.IsDone)
-                Decode();
+                ScheduleDecode();
             return m_fetched == null;
         }
 
@@ -102,7 +102,7 @@ namespace FastPoints.Sources
             m_refused = new PointCloudException(FailureCode.ReadFailed, m_reader.Info.Path, -1, "is no longer wanted");
         }
 
-        void Decode()
+        void ScheduleDecode()
         {
             try
             {
@@ -130,7 +130,7 @@ namespace FastPoints.Sources
             failure = default;
             // Who has not waited until it is near waits here.
             if (m_fetched != null)
-                Decode();
+                ScheduleDecode();
             m_done.Complete();
             m_done = default;
             try

@@ -137,7 +137,7 @@ namespace FastPoints.Text
 
         public int Bytes => Count * Type.SizeOf();
 
-        public bool IsColor => Count == 1 && Type.SizeOf() == 4 && (Name == "rgb" || Name == "rgba");
+        public bool IsPackedColor => Count == 1 && Type.SizeOf() == 4 && (Name == "rgb" || Name == "rgba");
     }
 
     // The Point Cloud Library's files: ascii and binary ones as PLY files with another header, binary_compressed ones by
@@ -156,7 +156,7 @@ namespace FastPoints.Text
                     {
                         Name = field.Count == 1 ? field.Name : field.Name + "[" + NumberText.Of(i) + "]",
                         Type = field.Type,
-                        IsColor = field.IsColor,
+                        IsPackedColor = field.IsPackedColor,
                         HasAlpha = field.Name == "rgba",
                     });
             var header = new PlyHeader
@@ -167,7 +167,7 @@ namespace FastPoints.Text
             header.Elements.Add(vertex);
             string[] names = PlyNames.Of(vertex);
             for (int i = 0; i < names.Length; i++)
-                if (vertex.Properties[i].IsColor || vertex.Properties[i].Name.StartsWith("_", StringComparison.Ordinal))
+                if (vertex.Properties[i].IsPackedColor || vertex.Properties[i].Name.StartsWith("_", StringComparison.Ordinal))
                     names[i] = null;
             var info = new SourceInfo
             {
@@ -218,7 +218,7 @@ namespace FastPoints.Text
             foreach (string keyword in new[] { "WIDTH", "HEIGHT", "VIEWPOINT" })
                 if (pcd[keyword] is { } words)
                     info.AddFact(keyword.ToLowerInvariant(), words);
-            info.OnlyInFacts = pcd["VIEWPOINT"] is { } view && view != "0 0 0 1 0 0 0" ? "the viewpoint" : null;
+            info.UnexportableFacts = pcd["VIEWPOINT"] is { } view && view != "0 0 0 1 0 0 0" ? "the viewpoint" : null;
             if (pcd["HEIGHT"] is { } height && height != "1")
                 info.Losses.Add(new Loss("the scan's grid", info.Path, "points are kept without their neighbours in it"));
             if (pcd.OrganizedPoints is { } organizedPoints && organizedPoints != pcd.Points)

@@ -32,16 +32,16 @@ namespace FastPoints.Text
             var steps = new List<PlyStep>();
             for (int i = 0; i < count; i++)
             {
-                var passing = PlyPlan.Passing(header.Elements[i]);
+                var skipping = PlyPlan.Skipping(header.Elements[i]);
                 elements[i] = new PlyWalkElement
                 {
                     Count = header.Elements[i].Count,
                     FixedBytes = header.Elements[i].FixedBytes,
                     FirstStep = steps.Count,
-                    Steps = passing.Count,
+                    Steps = skipping.Count,
                     IsIndexed = i == header.VertexIndex,
                 };
-                steps.AddRange(passing);
+                steps.AddRange(skipping);
             }
             m_read = new NativeFileRead(Math.Min(WindowBytes, ply.Info.FileBytes), Allocator.Persistent);
             m_elements = new NativeArray<PlyWalkElement>(elements, Allocator.Persistent);
@@ -177,9 +177,9 @@ namespace FastPoints.Text
                         ulong count = PlyBytes.Load(input + at, step.Bytes, IsBigEndian);
                         if (PlyBytes.IsNegative(count, step.Type))
                             return Fail(ref state, PlyError.BadListLength, state.Position);
-                        if (count > (ulong)((FileBytes - next) / step.Count))
+                        if (count > (ulong)((FileBytes - next) / step.ItemBytes))
                             return Fail(ref state, PlyError.Truncated, state.InstanceStart);
-                        next += (long)count * step.Count;
+                        next += (long)count * step.ItemBytes;
                         if (element.IsIndexed && next - state.InstanceStart > MaxRecordBytes)
                             return Fail(ref state, PlyError.RecordTooLong, state.InstanceStart);
                     }

@@ -63,7 +63,7 @@ namespace FastPoints.Text
             var declared = Vertex.Properties[property];
             if (Names[property] != null)
                 yield return new PointField(Names[property], declared.Type, at);
-            for (int i = 0; declared.IsColor && i < (declared.HasAlpha ? 4 : 3); i++)
+            for (int i = 0; declared.IsPackedColor && i < (declared.HasAlpha ? 4 : 3); i++)
                 yield return new PointField(PlyPlan.ColorNames[i], AttributeType.UInt8, at + (i < 3 ? 2 - i : i));
         }
 
@@ -117,7 +117,7 @@ namespace FastPoints.Text
                     info.Losses.Add(new Loss((element == vertex ? "lists of " : "") + "element " + element.Name, info.Path,
                         "it is no point"));
             }
-            info.OnlyInFacts = header.Comments.Count > 0 ? "comments" : null;
+            info.UnexportableFacts = header.Comments.Count > 0 ? "comments" : null;
             foreach (var comment in header.Comments)
                 info.AddFact(comment.Key, comment.Value);
             if (header.UnknownLines > 0)

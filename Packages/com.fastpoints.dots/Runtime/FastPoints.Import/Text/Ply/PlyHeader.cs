@@ -316,7 +316,7 @@ namespace FastPoints.Text
         public AttributeType CountType; // Type of the number before a list's items: an integer type.
 
         // Its bytes are blue, green, red and perhaps alpha (PCD).
-        public bool IsColor;
+        public bool IsPackedColor;
         public bool HasAlpha;
         public long LineOffset;
     }

@@ -98,7 +98,7 @@ namespace FastPoints.Text
                     }
                     continue;
                 }
-                if (step->Kind == PlyStepKind.Color)
+                if (step->Kind == PlyStepKind.PackedColor)
                 {
                     if (!Color(ref p, output, row, step))
                         return PlyError.BadNumber;
@@ -195,7 +195,7 @@ namespace FastPoints.Text
 
     static class PlyPlan
     {
-        public static List<PlyStep> Passing(PlyElement element) => Build(element, null, null);
+        public static List<PlyStep> Skipping(PlyElement element) => Build(element, null, null);
 
         public static List<PlyStep> Decoding(PlyElement element, string[] names, PointBatch batch) =>
             Build(element, names, batch);
@@ -214,7 +214,7 @@ namespace FastPoints.Text
             }
             return new PlyStep
             {
-                Kind = PlyStepKind.Color,
+                Kind = PlyStepKind.PackedColor,
                 Type = property.Type,
                 Bytes = property.Type.SizeOf(),
                 Count = 1,
@@ -231,7 +231,7 @@ namespace FastPoints.Text
             for (int i = 0; i < element.Properties.Count; i++)
             {
                 var property = element.Properties[i];
-                if (property.IsColor && batch != null)
+                if (property.IsPackedColor && batch != null)
                 {
                     steps.Add(ColorStep(property, batch));
                     continue;
@@ -244,7 +244,7 @@ namespace FastPoints.Text
                         Kind = PlyStepKind.List,
                         Type = property.CountType,
                         Bytes = property.CountType.SizeOf(),
-                        Count = property.Type.SizeOf(),
+                        ItemBytes = property.Type.SizeOf(),
                     });
                 }
                 else if (column >= 0)
@@ -282,7 +282,7 @@ namespace FastPoints.Text
         Value,
         List,
         // In text: a number whose bits are a colour.
-        Color,
+        PackedColor,
     }
 
     // One step through one instance of an element. Blittable: jobs carry arrays of these.
@@ -290,7 +290,8 @@ namespace FastPoints.Text
     {
         public PlyStepKind Kind;
         public AttributeType Type;
-        public int Count; // Skip: number of values. List: bytes of an item.
+        public int Count; // Skip: number of values.
+        public int ItemBytes; // List.
         public int Bytes; // In a binary file: bytes of the skipped values, of the value, or of a list's count.
 
         // Value: offset of its column in the batch. Colour: of red, or -1.

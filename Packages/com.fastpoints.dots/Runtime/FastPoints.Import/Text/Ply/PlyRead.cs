@@ -56,9 +56,9 @@ namespace FastPoints.Text
                     ulong count = PlyBytes.Load(p, step.Bytes, IsBigEndian);
                     if (PlyBytes.IsNegative(count, step.Type))
                         return PlyError.BadListLength;
-                    if (count > (ulong)((InputBytes - position) / step.Count))
+                    if (count > (ulong)((InputBytes - position) / step.ItemBytes))
                         return PlyError.Truncated;
-                    position += (long)count * step.Count;
+                    position += (long)count * step.ItemBytes;
                 }
                 else if (step.Kind == PlyStepKind.Value && point >= 0)
                     Store(p, output + step.ColumnOffsetBytes, point, step.Bytes);
@@ -77,10 +77,10 @@ namespace FastPoints.Text
                     ((ushort*)column)[point] = (ushort)PlyBytes.Load(p, 2, IsBigEndian);
                     break;
                 case 4:
-                    ((uint*)column)[point] = IsBigEndian ? PointRecords.Reverse(*(uint*)p) : *(uint*)p;
+                    ((uint*)column)[point] = IsBigEndian ? PointRecords.ReverseBytes(*(uint*)p) : *(uint*)p;
                     break;
                 default:
-                    ((ulong*)column)[point] = IsBigEndian ? PointRecords.Reverse(*(ulong*)p) : *(ulong*)p;
+                    ((ulong*)column)[point] = IsBigEndian ? PointRecords.ReverseBytes(*(ulong*)p) : *(ulong*)p;
                     break;
             }
         }

@@ -48,7 +48,7 @@ namespace FastPoints.Text
                 header.Bytes += end + 1;
                 if (words.Length == 0)
                     continue;
-                if (words.Length != s_valuesOfLine[line] || !Take(ref header, rows, line, words))
+                if (words.Length != s_valuesOfLine[line] || !TryParseLine(ref header, rows, line, words))
                     return false;
                 line++;
             }
@@ -56,7 +56,7 @@ namespace FastPoints.Text
             return true;
         }
 
-        static bool Take(ref PtxScanHeader header, double4[] rows, int line, string[] words)
+        static bool TryParseLine(ref PtxScanHeader header, double4[] rows, int line, string[] words)
         {
             if (line < 2)
                 return ulong.TryParse(words[0], NumberStyles.None, CultureInfo.InvariantCulture,
@@ -106,7 +106,7 @@ namespace FastPoints.Text
             Info.Format = "PTX";
             Info.HasPointsClaimed = false;
             Info.Schema = new PointSchema(attributes);
-            Info.OnlyInFacts = "the scans' matrices";
+            Info.UnexportableFacts = "the scans' matrices";
             Info.Losses.Add(new Loss("the scans' grids", Info.Path, "points are kept without their neighbours in them"));
             Info.AddFact("first scan", NumberText.Of(first.Columns) + " columns of " + NumberText.Of(first.Rows) + " places");
         }

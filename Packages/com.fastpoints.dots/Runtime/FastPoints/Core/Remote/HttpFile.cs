@@ -113,7 +113,7 @@ namespace FastPoints
                         int count = (int)Math.Min(RangeQueue.MaxRequestBytes, command.Size - at);
                         var piece = bytes.AsSpan(0, count);
                         if (TryReadHead(command.Offset + at, piece) || TryReadCache(cache, command.Offset + at, piece))
-                            read.Take(part, at, piece);
+                            read.Receive(part, at, piece);
                         else
                             missing.Add(new RangePiece(part, at, count));
                     }

@@ -169,7 +169,7 @@ namespace FastPoints
             long began = Stopwatch.GetTimestamp();
             try
             {
-                await batch.File.Fetch(batch.Begin, batch.Bytes, buffer, bytes => batch.Take(buffer, bytes))
+                await batch.File.Fetch(batch.Begin, batch.Bytes, buffer, bytes => batch.Deliver(buffer, bytes))
                     .ConfigureAwait(false);
             }
             catch (Exception e)
@@ -269,7 +269,7 @@ namespace FastPoints
             public IRangeSource File => Wanted[0].Read.File;
 
             // Gives reads their bytes as these come; returns whether more are wanted.
-            public bool Take(byte[] buffer, int bytes)
+            public bool Deliver(byte[] buffer, int bytes)
             {
                 Arrived = bytes;
                 bool isWanted = false;
@@ -284,7 +284,7 @@ namespace FastPoints
                         continue;
                     }
                     m_isTaken[i] = m_isUsed[i] = true;
-                    wanted.Read.Take(wanted.Part, wanted.At,
+                    wanted.Read.Receive(wanted.Part, wanted.At,
                         new ReadOnlySpan<byte>(buffer, (int)(wanted.Offset - Begin), (int)wanted.Bytes));
                 }
                 return isWanted || Bytes - bytes <= DrainBytes;

@@ -198,7 +198,7 @@ namespace FastPoints
         }
 
         // Takes bytes of a part, from an offset in it on; none may come twice. On the thread that has fetched them.
-        internal void Take(int part, long at, ReadOnlySpan<byte> bytes)
+        internal void Receive(int part, long at, ReadOnlySpan<byte> bytes)
         {
             lock (m_lock)
             {

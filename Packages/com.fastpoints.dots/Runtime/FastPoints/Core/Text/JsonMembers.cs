@@ -97,7 +97,7 @@ namespace FastPoints
             var list = List(name);
             return list.Count == count
                 ? Read(name, _ => list.ConvertAll(Finite)).ToArray()
-                : throw Wrong(name, "wanted " + NumberText.Of(count) + " numbers, got a list of " + NumberText.Of(list.Count));
+                : throw Failure(name, "wanted " + NumberText.Of(count) + " numbers, got a list of " + NumberText.Of(list.Count));
         }
 
         // Exactly count numbers, unless it is negative.
@@ -128,10 +128,10 @@ namespace FastPoints
                 throw PointCloudException.Wanted(FailureCode.Unsupported, Path, -1, "\"version\"", wanted, got);
         }
 
-        public PointCloudException Bad(string name, string wanted) =>
-            Wrong(name, Has(name) ? "wanted " + wanted + ", got " + JsonReader.Describe(Find(name)) : "missing");
+        public PointCloudException Wanted(string name, string wanted) =>
+            Failure(name, Has(name) ? "wanted " + wanted + ", got " + JsonReader.Describe(Find(name)) : "missing");
 
-        public PointCloudException Wrong(string name, string what, Exception inner = null) =>
+        public PointCloudException Failure(string name, string what, Exception inner = null) =>
             new PointCloudException(FailureCode.BadInput, Path, -1, "\"" + m_prefix + name + "\": " + what, inner);
 
         object Find(string name) => m_members.TryGetValue(name, out object value) ? value : null;
@@ -139,20 +139,20 @@ namespace FastPoints
         T Read<T>(string name, Func<object, T> read)
         {
             if (!m_members.TryGetValue(name, out object value))
-                throw Wrong(name, "missing");
+                throw Failure(name, "missing");
             try
             {
                 return read(value);
             }
             catch (FormatException e)
             {
-                throw Wrong(name, e.Message, e);
+                throw Failure(name, e.Message, e);
             }
         }
 
         JsonMembers ToObject(object value, string name) => value is Dictionary<string, object> members
-            ? new JsonMembers(members, this, name)
-            : throw Wrong(name, value == null && !Has(name) ? "missing" : "wanted an object, got " + JsonReader.Describe(value));
+            ? new JsonMembers(members, this, name) : throw Failure(name,
+            value == null && !Has(name) ? "missing" : "wanted an object, got " + JsonReader.Describe(value));
 
         string Shown(string text) => m_isForeign ? JsonReader.OneLine(text) : text;
 

@@ -107,11 +107,11 @@ namespace FastPoints.Drawing
         public readonly List<string> Assumptions = new List<string>();
 
         // For a manifest; null if nothing was measured. The up axis is Z.
-        internal StoredDisplayRanges? ToShown() => Robust.IsEmpty ? (StoredDisplayRanges?)null : new StoredDisplayRanges
+        internal StoredDisplayRanges? ToStored() => Robust.IsEmpty ? (StoredDisplayRanges?)null : new StoredDisplayRanges
         {
             BoundsGeo = Robust,
-            Elevation = new CloudManifest.Range { Min = ElevationLow, Max = ElevationHigh },
-            Intensity = new CloudManifest.Range { Min = IntensityLow, Max = IntensityHigh },
+            Elevation = new CloudManifest.ValueRange { Min = ElevationLow, Max = ElevationHigh },
+            Intensity = new CloudManifest.ValueRange { Min = IntensityLow, Max = IntensityHigh },
             HasColor = Color != ColorDepth.None,
             HasMeaningfulClasses = HasMeaningfulClasses,
         };
@@ -129,7 +129,7 @@ namespace FastPoints.Drawing
                 ElevationHigh = bounds.IsEmpty ? 0 : bounds.Max.z,
             };
             ranges.FindCategories(manifest.Attributes);
-            if (manifest.Shown is StoredDisplayRanges shown)
+            if (manifest.DisplayRanges is StoredDisplayRanges shown)
             {
                 ranges.Robust = shown.BoundsGeo;
                 ranges.ElevationLow = shown.Elevation.Min;
@@ -144,13 +144,13 @@ namespace FastPoints.Drawing
                 ranges.IntensityLow = manifest.Ranges[intensity].Min;
                 ranges.IntensityHigh = manifest.Ranges[intensity].Max;
                 ranges.IntensityVaries = ranges.IntensityHigh > ranges.IntensityLow;
-                if (manifest.Shown is StoredDisplayRanges of && ranges.IntensityVaries)
+                if (manifest.DisplayRanges is StoredDisplayRanges of && ranges.IntensityVaries)
                 {
                     ranges.IntensityLow = of.Intensity.Min;
                     ranges.IntensityHigh = of.Intensity.Max;
                 }
             }
-            if (!manifest.Attributes.HasColor || manifest.Shown?.HasColor == false)
+            if (!manifest.Attributes.HasColor || manifest.DisplayRanges?.HasColor == false)
                 return ranges;
             double brightest = 0;
             foreach (string name in new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue })

@@ -53,7 +53,7 @@ namespace FastPoints.Drawing
             BoundsGeo = folder.Manifest.BoundsGeo,
             Units = folder.Manifest.Crs.Units,
             Ranges = DisplayRanges.Of(folder.Manifest),
-            RangesHaveOutliers = folder.Manifest.Shown == null,
+            RangesHaveOutliers = folder.Manifest.DisplayRanges == null,
             HasNormals = folder.Layout.ComputedPlaneCount > 0,
         };
     }

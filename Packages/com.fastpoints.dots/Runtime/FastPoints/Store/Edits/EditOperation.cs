@@ -188,17 +188,17 @@ namespace FastPoints.Store
                     throw new PointCloudException(FailureCode.Unsupported, path, -1, "\"" + name + "\" is of a later version");
             int action = Array.IndexOf(s_actions, json.Text("do"));
             if (action < 0)
-                throw json.Bad("do", string.Join(", ", s_actions));
+                throw json.Wanted("do", string.Join(", ", s_actions));
             var operation = new EditOperation { Action = (EditAction)action, PointsChanged = json.NonNegative("pointsChanged") };
             operation.Value = Array.ConvertAll(json.Longs("value", operation.ChangedAttributes.Length),
-                value => value == (byte)value ? (byte)value : throw json.Bad("value", "numbers from 0 to 255"));
+                value => value == (byte)value ? (byte)value : throw json.Wanted("value", "numbers from 0 to 255"));
             foreach (var box in json.Objects("boxes"))
                 operation.Boxes.Add(new EditShape { A = GridOf(box, "a"), B = GridOf(box, "b") });
             foreach (var ball in json.Objects("balls"))
                 operation.Balls.Add(new EditShape { A = GridOf(ball, "a"), B = GridOf(ball, "b"), IsBall = true });
             bool isPyramid = json.Has("pyramid");
             if (isPyramid && json.Has("prism"))
-                throw json.Bad("prism", "no pyramid besides");
+                throw json.Wanted("prism", "no pyramid besides");
             if (isPyramid || json.Has("prism"))
                 operation.ReadPrism(json.Object(isPyramid ? "pyramid" : "prism"), isPyramid);
             try
@@ -207,7 +207,7 @@ namespace FastPoints.Store
             }
             catch (FormatException e)
             {
-                throw json.Wrong("where", e.Message, e);
+                throw json.Failure("where", e.Message, e);
             }
             string problem = operation.FindProblem();
             return problem == null ? operation : throw new PointCloudException(FailureCode.BadInput, path, -1, problem);
@@ -221,7 +221,7 @@ namespace FastPoints.Store
                 AddRing(ring.Int("polygon"), ring.Longs("at"));
             // Without one it would mean all points.
             if (!Prism.IsUsed || Prism.IsPyramid != isPyramid || Rings.Exists(ring => ring.Vertices.Length % 2 != 0))
-                throw prism.Bad("rings", "u and v of each vertex");
+                throw prism.Wanted("rings", "u and v of each vertex");
         }
 
         static Grid3 GridOf(JsonMembers json, string name)

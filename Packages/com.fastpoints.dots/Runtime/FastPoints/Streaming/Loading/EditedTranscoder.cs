@@ -54,7 +54,7 @@ namespace FastPoints.Streaming
 
         public override long LengthOf(int plane) => m_lengths[plane];
 
-        internal override void Made(ref int blocks, ref int points) =>
+        internal override void CorrectCounts(ref int blocks, ref int points) =>
             (blocks, points) = (m_state.Value.Blocks, m_state.Value.Points);
 
         public override void Begin(in HierarchyPage page, int node) =>

@@ -156,12 +156,12 @@ namespace FastPoints.Streaming
             outcome = default;
             failure = default;
             bytes = 0;
-            if (!m_transcoder.TryDecode() || !JobCoroutine.HasEnded(m_transcoder.Done))
+            if (!m_transcoder.TryScheduleDecode() || !JobCoroutine.HasEnded(m_transcoder.Done))
                 return false;
             outcome = m_transcoder.End(out failure);
             bytes = m_transcoder.BytesRead;
             if (outcome == TranscodeResult.Done)
-                Cloud.SetLengths(Page, m_nodes[0].Node, m_transcoder);
+                Cloud.SetTranscoded(Page, m_nodes[0].Node, m_transcoder);
             Phase = FetchPhase.Arrived;
             return true;
         }

@@ -349,7 +349,7 @@ namespace FastPoints.Streaming
             }
             else if (problem.IsNone)
             {
-                fetch.Cloud.Load(fetch.Page, built, fetch.Table);
+                fetch.Cloud.InstallPage(fetch.Page, built, fetch.Table);
             }
             else
             {

@@ -21,9 +21,8 @@ namespace FastPoints.Streaming
         /// <summary>Begins a node; the one before must have ended.</summary>
         public abstract void Begin(in HierarchyPage page, int node);
 
-        // For remote sources, call it once a frame: when the bytes have arrived it schedules the decoding jobs. Returns whether
-        // Done now covers all jobs of the node.
-        internal virtual bool TryDecode() => true;
+        // For remote sources, once a frame: schedules when the bytes have arrived; true when Done covers the node's jobs.
+        internal virtual bool TryScheduleDecode() => true;
 
         // Drops the fetch in flight; jobs that were scheduled still run.
         internal virtual void Cancel() { }
@@ -31,7 +30,7 @@ namespace FastPoints.Streaming
         internal abstract TranscodeResult End(out StreamFailure failure);
 
         // What the node that was made last has, if it is not what its page says.
-        internal virtual void Made(ref int blocks, ref int points) { }
+        internal virtual void CorrectCounts(ref int blocks, ref int points) { }
 
         /// <summary>Ends a node whose work is done, or throws a <see cref="PointCloudException"/>.</summary>
         public void EndOrThrow()

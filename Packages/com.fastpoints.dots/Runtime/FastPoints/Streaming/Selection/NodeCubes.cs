@@ -16,7 +16,7 @@ namespace FastPoints.Streaming
         public double3 Step;
 
         /// <summary>Some position in a node's cube.</summary>
-        public double3 PointIn(HierarchyPage* page, int node)
+        public double3 PositionInCube(HierarchyPage* page, int node)
         {
             var corner = page->Addresses[node].Corner;
             return Step.x > 0 ? (new double3(corner.X, corner.Y, corner.Z) + 0.5) * Step : page->Nodes[node].Center;

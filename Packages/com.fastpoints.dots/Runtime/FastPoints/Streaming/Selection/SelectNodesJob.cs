@@ -44,12 +44,12 @@ namespace FastPoints.Streaming
             Missing.Clear();
             for (int c = 0; c < Clouds.Length; c++)
                 if (Clouds[c].Pages[0].IsLoaded && Clouds[c].Pages[0].NodeCount > 0 && IsShown(c))
-                    Heap.Push(new SelectionCandidate { ScreenErrorPx = float.MaxValue, Cloud = c, Parent = -1 });
+                    Heap.Push(new SelectionCandidate { ScreenErrorPx = float.MaxValue, CloudIndex = c, Parent = -1 });
             long points = 0, more = 0, pointsForLight = 0;
             while (!Heap.IsEmpty)
             {
                 var best = Heap.Pop();
-                var cloud = Clouds[best.Cloud];
+                var cloud = Clouds[best.CloudIndex];
                 var page = cloud.Pages + best.Page;
                 if (best.Node < 0)
                 {
@@ -72,9 +72,9 @@ namespace FastPoints.Streaming
                 if (IsPrefetch && more >= PrefetchPoints)
                     break;
                 for (int i = 0; i < node->ChildCount; i++)
-                    PushNode(best.Cloud, page, best.Page, node->FirstChild + i, node->Spacing, index);
+                    PushNode(best.CloudIndex, page, best.Page, node->FirstChild + i, node->Spacing, index);
                 for (int i = 0; i < node->PageCount; i++)
-                    PushPage(best.Cloud, cloud.Pages, node->FirstPage + i, node->Spacing, index);
+                    PushPage(best.CloudIndex, cloud.Pages, node->FirstPage + i, node->Spacing, index);
             }
             Points.Value = points;
         }
@@ -109,7 +109,7 @@ namespace FastPoints.Streaming
         {
             var node = page->Nodes + index;
             if (node->PointCount == 0 ||
-                !IntersectsAnyFrustum(cloud, node->Center, node->Half, spacing, out float screenErrorPx, out bool isForLight))
+                !TryGetScreenError(cloud, node->Center, node->Half, spacing, out float screenErrorPx, out bool isForLight))
                 return;
             var state = page->States + index;
             // The selection before this one stamped it, or this frame's if this is a prefetch.
@@ -125,7 +125,7 @@ namespace FastPoints.Streaming
                 Heap.Push(new SelectionCandidate
                 {
                     ScreenErrorPx = screenErrorPx,
-                    Cloud = cloud,
+                    CloudIndex = cloud,
                     Page = pageIndex,
                     Node = index,
                     Parent = parent,
@@ -136,7 +136,7 @@ namespace FastPoints.Streaming
         void PushPage(int cloud, HierarchyPage* pages, int index, float spacing, int parent)
         {
             var page = pages + index;
-            if (!IntersectsAnyFrustum(cloud, page->Center, page->Half, spacing, out float screenErrorPx, out _))
+            if (!TryGetScreenError(cloud, page->Center, page->Half, spacing, out float screenErrorPx, out _))
                 return;
             page->VisitedFrame = Frame;
             if (page->IsLoaded)
@@ -145,11 +145,11 @@ namespace FastPoints.Streaming
                     PushNode(cloud, page, index, n, spacing, parent);
             }
             else if (page->Status != HierarchyPageStatus.Failed && screenErrorPx >= Settings.MinScreenErrorPx)
-                Heap.Push(new SelectionCandidate { ScreenErrorPx = screenErrorPx, Cloud = cloud, Page = index, Node = -1 });
+                Heap.Push(new SelectionCandidate { ScreenErrorPx = screenErrorPx, CloudIndex = cloud, Page = index, Node = -1 });
         }
 
         // Returns the spacing in the camera that shows it largest; if none does, in such a light.
-        bool IntersectsAnyFrustum(int cloud, double3 center, double3 half, float spacing, out float screenErrorPx,
+        bool TryGetScreenError(int cloud, double3 center, double3 half, float spacing, out float screenErrorPx,
             out bool isForLight)
         {
             screenErrorPx = 0;

@@ -54,7 +54,7 @@ namespace FastPoints.Streaming
     {
         // Spacing on the screen of the points above: the gaps that the node would fill.
         public float ScreenErrorPx;
-        public int Cloud;
+        public int CloudIndex;
         public int Page;
         public int Node; // -1 for the page itself.
         public int Parent;
@@ -66,8 +66,8 @@ namespace FastPoints.Streaming
         {
             if (ScreenErrorPx != other.ScreenErrorPx)
                 return ScreenErrorPx > other.ScreenErrorPx;
-            if (Cloud != other.Cloud)
-                return Cloud < other.Cloud;
+            if (CloudIndex != other.CloudIndex)
+                return CloudIndex < other.CloudIndex;
             return Page != other.Page ? Page < other.Page : Node < other.Node;
         }
     }

@@ -103,7 +103,7 @@ namespace FastPoints.Tests.Sources
                     var page = writer.Pages[random.Next(writer.Pages.Count)];
                     BitConverter.GetBytes(page.Offset).CopyTo(bytes, entry + 16);
                     BitConverter.GetBytes(page.Bytes).CopyTo(bytes, entry + 24);
-                    BitConverter.GetBytes(CopcEntry.PageCount).CopyTo(bytes, entry + 28);
+                    BitConverter.GetBytes(CopcEntry.PointCountOfPage).CopyTo(bytes, entry + 28);
                     break;
                 default:
                     for (int i = 0; i < CopcEntry.Bytes; i++)

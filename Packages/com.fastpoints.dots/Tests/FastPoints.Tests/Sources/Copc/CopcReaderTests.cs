@@ -239,7 +239,7 @@ namespace FastPoints.Tests.Sources
             var (rootOffset, rootBytes) = writer.Pages[writer.Pages.Count - 1];
             foreach (var (offset, count) in writer.Pages)
                 for (int at = (int)offset; at < offset + count; at += CopcEntry.Bytes)
-                    if (BitConverter.ToInt32(bytes, at + 28) == CopcEntry.PageCount)
+                    if (BitConverter.ToInt32(bytes, at + 28) == CopcEntry.PointCountOfPage)
                     {
                         BitConverter.GetBytes(rootOffset).CopyTo(bytes, at + 16);
                         BitConverter.GetBytes(rootBytes).CopyTo(bytes, at + 24);
@@ -269,7 +269,7 @@ namespace FastPoints.Tests.Sources
                 BitConverter.GetBytes(1).CopyTo(bytes, at);
                 BitConverter.GetBytes((long)at + CopcEntry.Bytes).CopyTo(bytes, at + 16);
                 BitConverter.GetBytes((Entries - i - 1) * CopcEntry.Bytes).CopyTo(bytes, at + 24);
-                BitConverter.GetBytes(CopcEntry.PageCount).CopyTo(bytes, at + 28);
+                BitConverter.GetBytes(CopcEntry.PointCountOfPage).CopyTo(bytes, at + 28);
             }
             BitConverter.GetBytes((long)start).CopyTo(bytes, RootOffsetAt);
             BitConverter.GetBytes((long)Entries * CopcEntry.Bytes).CopyTo(bytes, RootBytesAt);

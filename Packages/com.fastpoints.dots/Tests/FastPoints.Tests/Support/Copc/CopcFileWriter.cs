@@ -166,7 +166,7 @@ namespace FastPoints.Tests
                 page.Write(node.Cell.z);
                 page.Write(place.Offset);
                 page.Write(place.Bytes);
-                page.Write(isPage ? CopcEntry.PageCount : node.Records.Count);
+                page.Write(isPage ? CopcEntry.PointCountOfPage : node.Records.Count);
                 if (!isPage)
                     foreach (var child in node.Children)
                         open.Enqueue(child);

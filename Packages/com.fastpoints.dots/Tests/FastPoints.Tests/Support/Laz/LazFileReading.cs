@@ -90,7 +90,7 @@ namespace FastPoints.Tests
             int record = RecordFields.UInt16(bytes, LasHeader.At.RecordBytes);
             uint legacy = BitConverter.ToUInt32(bytes, LasHeader.At.LegacyCount);
             bool isLegacy = legacy != 0 || bytes[LasHeader.At.VersionMinor] < 4;
-            long count = isLegacy ? legacy : RecordFields.Int64(bytes, LasHeader.At.Count);
+            long count = isLegacy ? legacy : RecordFields.Int64(bytes, LasHeader.At.Count64);
             var records = new byte[count * record];
             Array.Copy(bytes, RecordFields.Int32(bytes, LasHeader.At.PointsOffset), records, 0, records.Length);
             return records;

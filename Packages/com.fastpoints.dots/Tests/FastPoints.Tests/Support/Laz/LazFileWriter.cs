@@ -65,7 +65,7 @@ namespace FastPoints.Tests
                 PointsOffset = (uint)(LasHeader.BytesOf(minor) + firstBytes + vlr.Length),
                 VlrCount = FirstVlr == null ? 1u : 2u,
                 LegacyCount = PointFormat >= 6 ? 0 : (uint)claims,
-                Count = minor >= 4 ? (ulong)claims : 0,
+                Count64 = minor >= 4 ? (ulong)claims : 0,
                 Scale = Scale,
                 Min = new double3(-1e9, -1e9, -1e9),
                 Max = new double3(1e9, 1e9, 1e9),

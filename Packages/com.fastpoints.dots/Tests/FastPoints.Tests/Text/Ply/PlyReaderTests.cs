@@ -192,7 +192,7 @@ namespace FastPoints.Tests.Text
                 Assert.That(reader.BlocksAreKnown, Is.False);
                 JobCoroutine.RunToEnd(reader.IndexBlocks());
                 Assert.That(reader.BlocksAreKnown, Is.True);
-                Assert.That(reader.HasFixedStride, Is.True);
+                Assert.That(reader.HasCheapRanges, Is.True);
                 Assert.That(reader.PointCount, Is.EqualTo(2));
             }
             Assert.That(FileContents.OfPly(file.Path).Column<float>("X"), Is.EqualTo(new[] { 1f, 4f }));

@@ -2,7 +2,7 @@ namespace FastPoints.Cli.Demo;
 
 /// <summary>Repeats a LAS file's points side by side along x into one larger file: whole records, so that every attribute and
 /// every header record is kept; shifts are whole grid steps, so that nothing is rounded.</summary>
-public static class LasTiling
+public static class RepeatedLas
 {
     const int BufferBytes = 1 << 20;
 
@@ -120,7 +120,7 @@ public static class LasTiling
         }
         if (!hasLongCounts)
             return 0;
-        BinaryPrimitives.WriteInt64LittleEndian(head.AsSpan(LasHeader.At.Count), total);
+        BinaryPrimitives.WriteInt64LittleEndian(head.AsSpan(LasHeader.At.Count64), total);
         for (int i = 0; i < 15; i++)
         {
             var count = head.AsSpan(LasHeader.At.ByReturn + 8 * i);

@@ -3,7 +3,7 @@ namespace FastPoints.Cli.Demo;
 /// <summary>Repeats a LAZ file's points side by side along x without decoding them: all coordinates of a chunk but the first are
 /// differences, so that a chunk is moved by four of its bytes.</summary>
 /// <remarks>The tiles are as far apart as the header's bounds say; extended VLRs stay behind.</remarks>
-public static class LazTiling
+public static class RepeatedLaz
 {
     const int ChunkPointsOffset = 12; // Offset of the points per chunk in the payload of the LASzip VLR.
 
@@ -31,10 +31,10 @@ public static class LazTiling
                 $"--times {times}: beyond what 32-bit coordinates hold"));
         if (las.Header.VersionMinor >= 3 && head.Length >= LasHeader.At.EvlrOffset)
             Array.Clear(head, LasHeader.At.WaveformOffset, 8);
-        if (las.Header.VersionMinor >= 4 && head.Length >= LasHeader.At.Count)
-            Array.Clear(head, LasHeader.At.EvlrOffset, LasHeader.At.Count - LasHeader.At.EvlrOffset);
+        if (las.Header.VersionMinor >= 4 && head.Length >= LasHeader.At.Count64)
+            Array.Clear(head, LasHeader.At.EvlrOffset, LasHeader.At.Count64 - LasHeader.At.EvlrOffset);
         long total = checked(points * times);
-        LasTiling.PatchHeader(path, head, points, times, default, shift * (times - 1));
+        RepeatedLas.PatchHeader(path, head, points, times, default, shift * (times - 1));
         int vlrOffset = (int)las.Vlrs.Find(LazFormat.UserId, LazFormat.RecordId).DataOffset;
         BinaryPrimitives.WriteUInt32LittleEndian(head.AsSpan(vlrOffset + ChunkPointsOffset), LazFormat.VariableChunkPoints);
 

@@ -1,13 +1,13 @@
 namespace FastPoints.Cli.Cluster;
 
 /// <summary>Finds which of many cubes a box touches.</summary>
-sealed class CubeIndex
+sealed class CubeFinder
 {
     readonly GridCube[] m_cubes;
     readonly GridCube m_whole;
 
     /// <param name="cubes">Disjoint cubes of the octree in <paramref name="whole"/>, in Morton order.</param>
-    public CubeIndex(GridCube whole, GridCube[] cubes) => (m_whole, m_cubes) = (whole, cubes);
+    public CubeFinder(GridCube whole, GridCube[] cubes) => (m_whole, m_cubes) = (whole, cubes);
 
     /// <summary>Both ends are included.</summary>
     public void Find(Grid3 min, Grid3 max, List<int> found) => Find(m_whole, 0, m_cubes.Length, min, max, found);

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Streaming
 {
-    public sealed class UnitySpaceTests
+    public sealed class UnityLocalSpaceTests
     {
         static readonly BoundsGeo s_bounds =
             new BoundsGeo(new double3(500_000, 4_000_000, 90), new double3(500_100, 4_000_300, 110));
@@ -12,7 +12,7 @@ namespace FastPoints.Tests.Streaming
         [Test]
         public void Of_EachAxis_HasItsOriginAtTheFloorsMiddle([Values] UpAxis up)
         {
-            var space = UnitySpace.Of(s_bounds, default, up);
+            var space = UnityLocalSpace.Of(s_bounds, default, up);
 
             double3 a = space.FromGeo(s_bounds.Min), b = space.FromGeo(s_bounds.Max);
             var low = math.min(a, b);
@@ -25,7 +25,7 @@ namespace FastPoints.Tests.Streaming
         [TestCase(UpAxis.NegativeX, 2, -1, -3), TestCase(UpAxis.NegativeY, 1, -2, 3), TestCase(UpAxis.NegativeZ, 1, -3, -2)]
         public void FromGeo_Axes_AreLeftHandedWithUpAsY(UpAxis up, double x, double y, double z)
         {
-            var space = new UnitySpace { Units = new CloudUnits(0.5), Up = up };
+            var space = new UnityLocalSpace { Units = new CloudUnits(0.5), Up = up };
 
             var unity = space.FromGeo(new double3(1, 2, 3));
             Assert.That(unity, Is.EqualTo(new double3(x, y, z) * 0.5));
@@ -39,7 +39,7 @@ namespace FastPoints.Tests.Streaming
         [Test]
         public void FromGeo_HeightsInAnotherUnit_AreConverted([Values] UpAxis up)
         {
-            var space = UnitySpace.Of(s_bounds, new CloudUnits(1200.0 / 3937, 1), up);
+            var space = UnityLocalSpace.Of(s_bounds, new CloudUnits(1200.0 / 3937, 1), up);
 
             var size = math.abs(space.FromGeo(s_bounds.Max) - space.FromGeo(s_bounds.Min));
             var feet = s_bounds.Size * (1200 / 3937.0);
@@ -52,7 +52,7 @@ namespace FastPoints.Tests.Streaming
         public void FromGeo_Degrees_AreAsLongAsOnTheEllipsoid(double latitude, double perLongitude, double perLatitude)
         {
             var at = new double3(-123, latitude, 0);
-            var space = UnitySpace.Of(new BoundsGeo(at - 0.01, at + 0.01), new CloudUnits(double.NaN));
+            var space = UnityLocalSpace.Of(new BoundsGeo(at - 0.01, at + 0.01), new CloudUnits(double.NaN));
 
             Assert.That(space.OriginGeo.xy, Is.EqualTo(at.xy), "to a thousandth of a degree");
             Assert.That(space.Scale.x, Is.EqualTo(perLongitude).Within(0.01));
@@ -81,7 +81,7 @@ namespace FastPoints.Tests.Streaming
         {
             var at = new double3(0, latitude, 0);
             var units = new CloudUnits(double.NaN);
-            Assert.That(UnitySpace.Of(new BoundsGeo(at, at), units).Scale.x, Is.GreaterThan(1));
+            Assert.That(UnityLocalSpace.Of(new BoundsGeo(at, at), units).Scale.x, Is.GreaterThan(1));
             Assert.That(units.MetresAt(new double3(500_000, 4_000_000, 0), UpAxis.Z), Is.EqualTo(new double3(1, 1, 1)),
                 "whatever the file says, these are no degrees");
         }
@@ -89,7 +89,7 @@ namespace FastPoints.Tests.Streaming
         [Test]
         public void Place_EachAxis_MatchesFromGeo([Values] UpAxis up)
         {
-            var space = UnitySpace.Of(s_bounds, new CloudUnits(0.3048, 0.9144), up);
+            var space = UnityLocalSpace.Of(s_bounds, new CloudUnits(0.3048, 0.9144), up);
             var grid = new CloudGrid { Origin = new double3(499_000, 3_999_000, 0), Step = new double3(0.01, 0.01, 0.001) };
             var root = new GridCube { Corner = new Grid3(100_000, 100_000, 90_000) };
             var localToWorld = new double4x4(new double4(2, 0, 0, 0), new double4(0, 3, 0, 0), new double4(0, 0, 4, 0),

@@ -6,12 +6,11 @@ using UnityEngine;
 
 namespace FastPoints.Editor
 {
-    /// <summary>Clouds with sources and without current data, as after a clone or a pull, since converted
-    /// data are not for version control. The user is asked once for all whether they are to be converted, and not again about
-    /// those that are declined.</summary>
-    internal sealed class MissingClouds : IDisposable
+    /// <summary>Asks once for all clouds with sources and without current data, as after a clone or a pull, whether to convert
+    /// them, and not again about those that are declined: converted data are not for version control.</summary>
+    internal sealed class MissingDataPrompt : IDisposable
     {
-        const string CheckedKey = "FastPoints.MissingClouds";
+        const string CheckedKey = "FastPoints.MissingDataPrompt";
         const int MaxListed = 10; // More names would hide the rest of the Console.
 
         readonly EditorImports m_imports;
@@ -19,9 +18,9 @@ namespace FastPoints.Editor
         CancellationTokenSource m_cancel;
         bool m_hasWarned;
 
-        public MissingClouds(EditorImports imports) => m_imports = imports;
+        public MissingDataPrompt(EditorImports imports) => m_imports = imports;
 
-        internal bool IsSearching => m_search != null || SessionState.GetString(CheckedKey, "") == "";
+        internal bool IsSearchPending => m_search != null || SessionState.GetString(CheckedKey, "") == "";
 
         /// <summary>Assets were imported: perhaps by a pull.</summary>
         public void OnImported(string[] imported)
@@ -54,7 +53,7 @@ namespace FastPoints.Editor
                 return;
             if (m_search == null)
             {
-                if (!IsSearching || m_imports.IsCreating || Application.isBatchMode)
+                if (!IsSearchPending || m_imports.IsCreating || Application.isBatchMode)
                     return;
                 SessionState.SetString(CheckedKey, "yes");
                 m_cancel = new CancellationTokenSource();
@@ -113,7 +112,8 @@ namespace FastPoints.Editor
             if (lost.Count == 0 || m_hasWarned)
                 return;
             m_hasWarned = true;
-            var named = lost.GetRange(0, Math.Min(lost.Count, MaxListed)).ConvertAll(r => "\n" + r.Asset + ": " + r.Missing);
+            var named = lost.GetRange(0, Math.Min(lost.Count, MaxListed))
+                .ConvertAll(r => "\n" + r.Asset + ": " + r.MissingSource);
             Debug.LogWarning("FastPoints: " + lost.Count + " point clouds have neither converted data nor their sources here. " +
                 "FastPoints > Clouds locates sources." + string.Concat(named) + (lost.Count > MaxListed ? "\n..." : ""));
         }

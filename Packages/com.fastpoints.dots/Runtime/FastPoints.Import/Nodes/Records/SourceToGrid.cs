@@ -8,7 +8,7 @@ namespace FastPoints.Nodes
 {
     internal struct SourceAxis
     {
-        public bool IsInteger; // For whole numbers: grid = stored * Factor + Shift, exact.
+        public bool UsesFactor; // For whole numbers: grid = stored * Factor + Shift, exact.
         public long Factor;
         public long Shift;
         public double Scale; // For other numbers: geo = stored * Scale + Offset, grid = round((geo - Origin) / Step).
@@ -17,7 +17,7 @@ namespace FastPoints.Nodes
         public double Step;
     }
 
-    internal struct SourceGrid
+    internal struct SourceToGrid
     {
         /// <summary>Positions beyond it are left out, so that sums of positions and sides fit a long.</summary>
         public const long Limit = CommonGrid.Limit;
@@ -33,7 +33,7 @@ namespace FastPoints.Nodes
         public static unsafe void ToGrid(in SourceAxis axis, byte* stored, AttributeType type, int count, long* grid,
             ref double maxRoundingSteps)
         {
-            if (axis.IsInteger)
+            if (axis.UsesFactor)
             {
                 IntegersToGrid(stored, type, count, axis.Factor, axis.Shift, grid);
                 return;
@@ -80,7 +80,7 @@ namespace FastPoints.Nodes
         /// <summary>The same for one stored number: exact for whole numbers below 2^53.</summary>
         public static long ToGrid(in SourceAxis axis, double stored)
         {
-            if (axis.IsInteger)
+            if (axis.UsesFactor)
                 return math.abs(stored * axis.Factor) < Limit ? (long)stored * axis.Factor + axis.Shift : InvalidPosition;
             double steps = (stored * axis.Scale + axis.Offset - axis.Origin) * (1 / axis.Step);
             return math.abs(steps) < Limit ? (long)math.round(steps) : InvalidPosition;
@@ -153,7 +153,7 @@ namespace FastPoints.Nodes
 
         public CloudGrid Grid;
 
-        public SourceGrid[] Sources;
+        public SourceToGrid[] Sources;
         public RecordLayout Records; // The layout for the largest range of grid numbers: wide if it does not fit 32 bits.
 
         /// <param name="hasUniformStep">Whether the step is the same on all axes.</param>
@@ -161,7 +161,7 @@ namespace FastPoints.Nodes
         public static GridChoice Choose(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples,
             int attributeBytes, bool hasUniformStep = false)
         {
-            var choice = new GridChoice { Sources = new SourceGrid[infos.Count] };
+            var choice = new GridChoice { Sources = new SourceToGrid[infos.Count] };
             var steps = new double[3];
             for (int axis = 0; axis < 3; axis++)
                 steps[axis] = StepOf(infos, samples, axis);
@@ -185,7 +185,7 @@ namespace FastPoints.Nodes
                     else
                         choice.Sources[i].Z = axes[i];
                     var type = infos[i].Schema[infos[i].Schema.IndexOf(name)].Type;
-                    isNarrow &= axes[i].IsInteger && type.SizeOf() <= 4;
+                    isNarrow &= axes[i].UsesFactor && type.SizeOf() <= 4;
                     type.RangeOf(out long min, out long max);
                     long a = min * axes[i].Factor + axes[i].Shift, b = max * axes[i].Factor + axes[i].Shift;
                     lowest = Math.Min(lowest, Math.Min(a, b));
@@ -228,10 +228,10 @@ namespace FastPoints.Nodes
         /// <summary>Maps one source's numbers to a given grid: that of a converted cloud, to compare it with its
         /// source.</summary>
         /// <exception cref="PointCloudException">The source's scales and offsets do not fit the grid.</exception>
-        public static SourceGrid OnGrid(SourceInfo info, CloudGrid grid)
+        public static SourceToGrid OnGrid(SourceInfo info, CloudGrid grid)
         {
             SourceAxis On(int axis, string name) => SourceAxisOf(info, axis, name, grid.Step[axis], grid.Origin[axis]);
-            return new SourceGrid { X = On(0, AttributeNames.X), Y = On(1, AttributeNames.Y), Z = On(2, AttributeNames.Z) };
+            return new SourceToGrid { X = On(0, AttributeNames.X), Y = On(1, AttributeNames.Y), Z = On(2, AttributeNames.Z) };
         }
 
         static SourceAxis SourceAxisOf(SourceInfo info, int axis, string name, double step, double origin)
@@ -247,11 +247,11 @@ namespace FastPoints.Nodes
             }
             double loss;
             (result.Factor, result.Shift, loss) = placed;
-            result.IsInteger = true;
+            result.UsesFactor = true;
             if (loss > step)
             {
                 // The scale is no multiple of the step: each coordinate is rounded to the nearest one.
-                result.IsInteger = false;
+                result.UsesFactor = false;
                 loss = step / 2;
             }
             if (loss > 0)

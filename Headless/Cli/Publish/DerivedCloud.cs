@@ -1,7 +1,7 @@
 namespace FastPoints.Cli.Publish;
 
 /// <summary>Begin and end of a cloud that is made of another one.</summary>
-static class FolderOfFolder
+static class DerivedCloud
 {
     /// <summary>Coroutine: deletes what a killed run left, but no conversion that can go on.</summary>
     public static IEnumerator<JobStep> Begin(CloudFolderWriter to)

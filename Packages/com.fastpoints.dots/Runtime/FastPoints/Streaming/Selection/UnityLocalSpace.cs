@@ -4,7 +4,7 @@ namespace FastPoints.Streaming
 {
     /// <summary>A cloud's own space in Unity's axes: left-handed, Y up, in metres if the unit is known, from an origin near the
     /// cloud. East is Unity's X, north its Z, up its Y.</summary>
-    public struct UnitySpace
+    public struct UnityLocalSpace
     {
         /// <summary>The georeferenced position that lies at (0, 0, 0).</summary>
         public double3 OriginGeo;
@@ -17,14 +17,14 @@ namespace FastPoints.Streaming
 
         /// <summary>The middle of the bounds' floor becomes the origin, rounded to a whole unit, or to a thousandth of a degree.
         /// Units stay as they are if metres are unknown.</summary>
-        public static UnitySpace Of(BoundsGeo boundsGeo, CloudUnits units, UpAxis up = UpAxis.Z)
+        public static UnityLocalSpace Of(BoundsGeo boundsGeo, CloudUnits units, UpAxis up = UpAxis.Z)
         {
             var floor = boundsGeo.Center;
             floor[up.Index()] = (up.IsNegative() ? boundsGeo.Max : boundsGeo.Min)[up.Index()];
             var rounded = math.round(floor);
             if (units.IsInDegrees && CloudUnits.IsOnEarth(floor))
                 rounded.xy = (math.round(floor * 1000) / 1000).xy;
-            return new UnitySpace
+            return new UnityLocalSpace
             {
                 OriginGeo = boundsGeo.IsEmpty ? new double3(0, 0, 0) : rounded,
                 Units = units,

@@ -6,7 +6,7 @@ namespace FastPoints.Editor
 {
     /// <summary>How many operations each edited cloud has applied, as Undo changes it. It lasts as long as the editor, over
     /// reloads of scripts.</summary>
-    internal sealed class EditPositions : ScriptableSingleton<EditPositions>
+    internal sealed class AppliedEditCounts : ScriptableSingleton<AppliedEditCounts>
     {
         public string[] Clouds = new string[0]; // Undo restores both.
         public int[] Counts = new int[0];

@@ -8,7 +8,7 @@ namespace FastPoints.Editor
 {
     /// <summary>Leaves the shaders of pictures over several frames out of players that draw none: those draw all points at once,
     /// as where compute shaders are missing.</summary>
-    internal sealed class PlayerShaders : IPreprocessShaders, IPreprocessComputeShaders
+    internal sealed class PlayerShaderStripper : IPreprocessShaders, IPreprocessComputeShaders
     {
         const string ProgressivePass = "Progressive"; // Of Points.shader.
 
