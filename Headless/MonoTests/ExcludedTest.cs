@@ -12,7 +12,6 @@ namespace FastPoints.MonoTests
         public static readonly IReadOnlyList<ExcludedTest> All = new[]
         {
             new ExcludedTest("FastPoints.Tests.Reading.FormatMutationTests.Mutate(Potree_V2Brotli)", Brotli),
-            new ExcludedTest("FastPoints.Tests.Sources.PotreeMutationTests.Mutate(\"BROTLI\",5)", Brotli),
         };
 
         private ExcludedTest(string name, string reason)

@@ -19,7 +19,7 @@ public sealed class SurfaceEditTests : ScratchTests
     CloudManifest m_manifest;
 
     /// <summary>What would be shown of a cell are its bytes.</summary>
-    sealed class Bytes(OpenedSurface opened, UnitySpace space)
+    sealed class Bytes(OpenedSurface opened, UnityLocalSpace space)
         : SurfaceColliders(opened, s_grid, ClassMask.Of(6), space)
     {
         protected override IEnumerator<JobStep> Show(SurfaceCell cell, PackedSurface surface)
@@ -47,7 +47,7 @@ public sealed class SurfaceEditTests : ScratchTests
 
     SurfaceUpdates New(double radius)
     {
-        var space = UnitySpace.Of(m_manifest.BoundsGeo, m_manifest.Crs.Units);
+        var space = UnityLocalSpace.Of(m_manifest.BoundsGeo, m_manifest.Crs.Units);
         var near = new List<double3> { space.FromGeo(s_middle + new double3(-20, 0, 0)) };
         return new SurfaceUpdates(() => m_cloud, opened => new Bytes(opened, space), surface =>
         {

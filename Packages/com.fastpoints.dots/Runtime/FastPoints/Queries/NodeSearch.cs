@@ -52,8 +52,10 @@ namespace FastPoints.Queries
                 for (int axis = 0; axis < 3; axis++)
                     Positions.UnpackWide(block, axis, first, count, scratch + axis * stride);
                 for (int i = 0; i < count; i++)
-                    Test(at, new Grid3((long)scratch[i], (long)scratch[stride + i], (long)scratch[2 * stride + i]) - min, first + i,
-                        ref hits);
+                {
+                    var position = new Grid3((long)scratch[i], (long)scratch[stride + i], (long)scratch[2 * stride + i]);
+                    Test(at, position - min, first + i, ref hits);
+                }
                 return;
             }
             uint* x = (uint*)scratch, y = x + stride, z = y + stride;

@@ -88,12 +88,12 @@ namespace FastPoints.Queries
                 {
                     m_transcoder ??= source.CreateFullTranscoder();
                     Begin(page, node);
-                    while (!m_transcoder.TryDecode())
+                    while (!m_transcoder.TryScheduleDecode())
                         yield return default;
                     yield return m_transcoder.Done;
                     isTranscoding = false;
                     m_transcoder.EndOrThrow();
-                    m_transcoder.Made(ref blocks, ref points);
+                    m_transcoder.CorrectCounts(ref blocks, ref points);
                 }
                 else
                 {

@@ -4,7 +4,6 @@ using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
-using Unity.Mathematics;
 
 namespace FastPoints.Queries
 {

@@ -1,74 +1,19 @@
 using System;
-using System.Collections.Generic;
-using System.IO;
 using FastPoints.Las;
 using FastPoints.Laz;
-using FastPoints.Reading;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 
 namespace FastPoints.Tests.Laz
 {
+    /// <summary>Chunks on their own; whole files are cases of FormatMutationTests.</summary>
     /// <remarks>The long ones take their number of cases from $FASTPOINTS_MUTATIONS, so that a million can be run:
     /// <c>FASTPOINTS_MUTATIONS=1000000 ./test --only LazMutationTests</c>.</remarks>
     public unsafe class LazMutationTests
     {
         const string CasesVariable = "FASTPOINTS_MUTATIONS";
-        const int CasesPerFile = 60, CasesPerChunk = 400, LongCases = 20000;
-        const int MaxPointsOfARange = 3000;
-
-        static readonly string[] s_samples =
-        {
-            "laz/example.laz", "laz/simple-laszip-compressor-version-1.2r0.laz", "laz/pdrf4-1.3.laz", "laz/pdrf9-1.5.laz",
-            "laz/no-points-1.3.laz", "laz/extra.laz", "copc/example.copc.laz", "copc/simple_with_page.copc.laz",
-            "broken/broken_coder.laz", "broken/broken_type.laz", "broken/2-2-2-2.laz",
-        };
-
-        static IEnumerable<TestCaseData> OwnFiles()
-        {
-            int seed = 0;
-            foreach (int format in new[] { 0, 1, 3, 5, 6, 7, 8, 10 })
-                foreach (string kind in new[] { "Fixed", "Variable", "Lost", "One" })
-                    if (kind != "One" || format < 6)
-                        yield return new TestCaseData(format, kind, ++seed)
-                            .SetName("Mutation_OwnPointFormat" + format + kind + "_EndsInALineOrAResult");
-        }
-
-        static byte[] Own(int format, string kind, int seed)
-        {
-            if (format < 6 && seed % 2 == 0)
-                return LazFileReading.FirstVersion(kind == "One" ? "one-stream" : "format" + format);
-            var writer = new LazFileWriter
-            {
-                PointFormat = format,
-                ItemVersion = format >= 6 ? 3 + seed % 2 : 2,
-                ExtraBytes = seed % 3,
-                HasVariableChunks = kind == "Variable",
-                TableLocation = kind == "Lost" ? LazTableLocation.Missing : seed % 2 == 0 ? LazTableLocation.AtFileEnd
-                    : LazTableLocation.AtOffset,
-                ChunkPoints = kind == "One" ? new int[0] : new[] { 40 },
-            };
-            return writer.Write(LazRecords.Make(format, writer.ExtraBytes, 100, seed));
-        }
-
-        [TestCaseSource(nameof(OwnFiles))]
-        public void MutateOwn(int format, string kind, int seed) => MutateFile(Own(format, kind, seed), CasesPerFile, seed);
-
-        [TestCaseSource(nameof(s_samples))]
-        public void MutateSample(string sample) =>
-            MutateFile(File.ReadAllBytes(TestData.SampleOrIgnore(sample)), 40, sample.Length);
-
-        [Test, Category("Long"), Explicit]
-        public void MutateOwn_ManyTimes()
-        {
-            int cases = Cases(), seed = 100000;
-            foreach (var file in OwnFiles())
-            {
-                seed++;
-                MutateFile(Own((int)file.Arguments[0], (string)file.Arguments[1], (int)file.Arguments[2]), cases / 32, seed);
-            }
-        }
+        const int CasesPerChunk = 400, LongCases = 20000;
 
         [TestCase(0), TestCase(3), TestCase(5), TestCase(6), TestCase(8), TestCase(10)]
         public void MutateChunk(int format) => MutateChunks(format, CasesPerChunk, format);
@@ -77,47 +22,6 @@ namespace FastPoints.Tests.Laz
         public void MutateChunk_ManyTimes([Range(0, 10)] int format) => MutateChunks(format, Cases() / 11, 7000 + format);
 
         static int Cases() => int.TryParse(Environment.GetEnvironmentVariable(CasesVariable), out int cases) ? cases : LongCases;
-
-        static void MutateFile(byte[] sound, int cases, int seed)
-        {
-            var random = new Random(seed);
-            for (int i = 0; i < cases; i++)
-            {
-                var bytes = Damage.Of(sound, random);
-                if (bytes.Length == 0)
-                    continue;
-                using var file = new TemporaryFile(bytes, ".laz");
-                ReadWhatIsThere(file.Path, bytes.Length, "seed " + seed + ", case " + i);
-            }
-        }
-
-        static void ReadWhatIsThere(string path, long bytes, string detail)
-        {
-            try
-            {
-                using var reader = LazFileReading.Open(path);
-                Assert.That(reader.PointCount, Is.LessThanOrEqualTo(LazChunk.MaxPoints(bytes) + reader.BlockCount), detail);
-                if (reader.BlockCount == 0)
-                    return;
-                int capacity = Math.Min(MaxPointsOfARange, reader.MaxPointsPerBlock);
-                using var read = reader.CreateRead(reader.Info.Schema, capacity, Allocator.Persistent);
-                for (int block = 0; block < Math.Min(8, reader.BlockCount); block++)
-                {
-                    int count = Math.Min(capacity, reader.PointsInBlock(block));
-                    read.Begin(new BlockRange(block, 0, count));
-                    read.Complete();
-                    Assert.That(read.Points.Count, Is.InRange(0, count), detail);
-                    if (read.Points.Count < count)
-                        Assert.That(reader.Info.Warnings, Is.Not.Empty, detail);
-                }
-            }
-            catch (PointCloudException failure)
-            {
-                Assert.That(failure.Message, Does.Not.Contain("\n"), detail);
-                Assert.That(failure.IsBadInput || failure.Code == FailureCode.ReadFailed, Is.True, detail + ": " +
-                    failure.Message);
-            }
-        }
 
         static void MutateChunks(int format, int cases, int seed)
         {

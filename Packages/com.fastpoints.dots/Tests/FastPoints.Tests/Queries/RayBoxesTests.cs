@@ -28,7 +28,8 @@ namespace FastPoints.Tests.Queries
             for (int i = 0; i < 300; i++)
             {
                 // Some along an axis, some that narrow.
-                double3 eye = random.NextDouble3(-90, 90), aim = i % 7 == 0 ? eye - new double3(0, 0, 1) : random.NextDouble3(-50, 50);
+                var eye = random.NextDouble3(-90, 90);
+                var aim = i % 7 == 0 ? eye - new double3(0, 0, 1) : random.NextDouble3(-50, 50);
                 var query = PointQuery.Ray(corner + eye, aim - eye, random.NextDouble(0, 9));
                 query.RadiusPerUnit = random.NextDouble(-0.02, 0.02);
                 var space = new QuerySpace(query, new CloudPlacement(double3x3.identity, 0));

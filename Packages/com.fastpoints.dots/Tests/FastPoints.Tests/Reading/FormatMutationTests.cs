@@ -7,6 +7,7 @@ using FastPoints.Sources;
 using FastPoints.Text;
 using NUnit.Framework;
 using Unity.Collections;
+using Unity.Mathematics;
 
 namespace FastPoints.Tests.Reading
 {
@@ -16,7 +17,7 @@ namespace FastPoints.Tests.Reading
     public class FormatMutationTests : FolderTests
     {
         const int Cases = 120, SampleCases = 8, LongCases = 20000, MaxPoints = 3000;
-        const int MaxBlocks = 6;
+        const int MaxBlocks = 6, MaxPointsPerByte = 1000;
 
         static IEnumerable<FormatFixture> Fixtures() => FormatFixture.All;
 
@@ -46,7 +47,7 @@ namespace FastPoints.Tests.Reading
             var indexes = sound.Where(f => f.Path == main || IsIndex(f.Path)).ToList();
             var telling = sound.ToDictionary(f => f.Path, f => KeyFields.Of(f.Bytes));
             Assert.That(Reads(main, "as it is"), Is.True, fixture + " as it is");
-            var random = new Random(seed);
+            var random = new System.Random(seed);
             int readable = 0;
             for (int i = 0; i < cases; i++)
             {
@@ -74,7 +75,7 @@ namespace FastPoints.Tests.Reading
         static bool IsIndex(string path) => path.EndsWith(".json") || path.EndsWith(".js") || path.EndsWith(".hrc")
             || Path.GetFileName(path) == "hierarchy.bin";
 
-        static byte[] DamageTelling(byte[] sound, List<(int At, int Bytes)> places, Random random)
+        static byte[] DamageTelling(byte[] sound, List<(int At, int Bytes)> places, System.Random random)
         {
             var bytes = (byte[])sound.Clone();
             if (bytes.Length == 0)
@@ -102,7 +103,7 @@ namespace FastPoints.Tests.Reading
             return bytes;
         }
 
-        static int Place(byte[] bytes, List<(int At, int Bytes)> places, Random random)
+        static int Place(byte[] bytes, List<(int At, int Bytes)> places, System.Random random)
         {
             if (places.Count == 0)
                 return random.Next(bytes.Length);
@@ -110,7 +111,7 @@ namespace FastPoints.Tests.Reading
             return at + random.Next((length + 3) / 4) * 4;
         }
 
-        static void ReplaceDigits(byte[] bytes, int at, Random random)
+        static void ReplaceDigits(byte[] bytes, int at, System.Random random)
         {
             while (at < bytes.Length && !char.IsDigit((char)bytes[at]))
                 at++;
@@ -125,7 +126,13 @@ namespace FastPoints.Tests.Reading
             {
                 using var reader = PointReaders.Open(path);
                 ReadPoints.IndexBlocks(reader);
+                long bytes = Directory.GetFiles(Path.GetDirectoryName(path), "*", SearchOption.AllDirectories)
+                    .Sum(file => new FileInfo(file).Length);
                 Assert.That(reader.Info.Warnings.Count, Is.LessThan(300), detail);
+                Assert.That(reader.Info.Facts.Count, Is.LessThan(300 + bytes / 32), detail);
+                Assert.That(reader.PointCount, Is.LessThanOrEqualTo(bytes * MaxPointsPerByte), detail);
+                Assert.That(reader.Tree?.NodeCount ?? 0, Is.LessThanOrEqualTo(bytes / 5), detail);
+                Assert.That(math.all(math.isfinite(reader.Info.Transform.Scale)), Is.True, detail);
                 if (reader.BlockCount == 0)
                     return true;
                 int capacity = Math.Min(MaxPoints, reader.MaxPointsPerBlock);

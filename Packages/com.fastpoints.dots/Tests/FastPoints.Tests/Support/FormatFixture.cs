@@ -29,6 +29,8 @@ namespace FastPoints.Tests
 
         public override string ToString() => Format + "_" + Name;
 
+        static readonly int[] s_minorOfPointFormat = { 0, 1, 2, 2, 3, 3, 4, 4, 4, 5, 5 };
+
         static readonly string[] s_plyWords =
         {
             "0", "-1", "4", "99999999999999999999", "18446744073709551615", "4294967296", "nan", "list", "vertex", "face",
@@ -42,15 +44,10 @@ namespace FastPoints.Tests
             "minimum", "<", ">", "/>", "\"", "&", "]]>", "<a>", "cartesianX", "sphericalRange", "vectorChild", "",
         };
 
-        public static IReadOnlyList<FormatFixture> All { get; } = new[]
+        public static IReadOnlyList<FormatFixture> All { get; } = Enumerable.Range(0, s_minorOfPointFormat.Length)
+            .Select(format => Own("LAS", "PointFormat" + format, () => Las(s_minorOfPointFormat[format], format)))
+            .Concat(OwnLaz()).Concat(new[]
         {
-            Own("LAS", "PointFormat1", () => Las(2, 1)),
-            Own("LAS", "PointFormat7", () => Las(4, 7)),
-            Own("LAS", "PointFormat10", () => Las(5, 10)),
-            Own("LAZ", "Pointwise", () => Laz(3, 2, LazTableLocation.AtOffset)),
-            Own("LAZ", "PointwiseV1", () => LazFileReading.FirstVersion("format1")),
-            Own("LAZ", "Layered", () => Laz(7, 3, LazTableLocation.AtFileEnd)),
-            Own("LAZ", "LayeredV4", () => Laz(10, 4, LazTableLocation.AtOffset)),
             Own("COPC", "TwoLevelsAPage", () => new CopcFileWriter { LevelsPerPage = 2, MaxNodePoints = 30 }
                 .Write(LazRecords.Make(7, 0, 400, 5))),
             Own("PLY", "Ascii", () => Ply("ascii", false), null, s_plyWords),
@@ -72,11 +69,21 @@ namespace FastPoints.Tests
             OwnTree("EPT", "Binary", "ept.json", folder => Ept(folder, EptDataType.Binary)),
             OwnTree("EPT", "Laszip", "ept.json", folder => Ept(folder, EptDataType.Laszip)),
             OwnTree("Potree", "V14", "cloud.js", folder => Potree1(folder, "1.4")),
+            OwnTree("Potree", "V17", "cloud.js", folder => Potree1(folder, "1.7")),
             OwnTree("Potree", "V18", "cloud.js", folder => Potree1(folder, "1.8")),
             OwnTree("Potree", "V2Default", "metadata.json", folder => Potree2(folder, false)),
             OwnTree("Potree", "V2Brotli", "metadata.json", folder => Potree2(folder, true)),
             Sample("LAS", "las/extrabytes.las"),
+            Sample("LAS", "las/1.0_0.las"),
+            Sample("LAS", "las/1_4_w_evlr.las"),
+            Sample("LAS", "las/pdrf9-1.5.las"),
+            Sample("LAS", "las/interesting.las"),
+            Sample("LAS", "broken/bad-geotiff-keys.las"),
             Sample("LAZ", "laz/simple-laszip-compressor-version-1.2r0.laz"),
+            Sample("LAZ", "laz/pdrf4-1.3.laz"),
+            Sample("LAZ", "laz/pdrf9-1.5.laz"),
+            Sample("LAZ", "laz/extra.laz"),
+            Sample("COPC", "copc/simple_with_page.copc.laz"),
             Sample("COPC", "copc/example.copc.laz"),
             Sample("PLY", "ply/platonic_shelf_big_endian.ply"),
             Sample("EPT", "ept/bcbf/ept.json", true),
@@ -85,7 +92,7 @@ namespace FastPoints.Tests
             Sample("Potree", "potree/lion_takanawa/cloud.js", true),
             Sample("Potree", "potree/lion_takanawa_laz/cloud.js", true),
             Sample("Potree", "potree/v2-mixedconifer-default/metadata.json", true),
-        };
+        }).ToArray();
 
         public string Write(string folder)
         {
@@ -133,15 +140,39 @@ namespace FastPoints.Tests
 
         static byte[] Las(int minor, int pointFormat)
         {
-            using var file = new LasTestFile { Minor = minor, Format = pointFormat, ExtraBytes = 3 };
-            return file.RandomPoints(60, pointFormat).ToBytes();
+            using var file = new LasTestFile { Minor = minor, Format = pointFormat, ExtraBytes = 7, Padding = 2 };
+            byte[] keys = LasTestFile.Shorts(1, 1, 0, 3, 3072, 0, 1, 32633, 3073, 34737, 4, 0, 3077, 34736, 1, 0);
+            file.Vlr("LASF_Projection", 34735, keys)
+                .Vlr("LASF_Projection", 34736, BitConverter.GetBytes(0.3))
+                .Vlr("LASF_Projection", 34737, Encoding.ASCII.GetBytes("abc|"));
+            var extra = new byte[2 * 192];
+            (extra[2], extra[3], extra[4], extra[112]) = (3, 8, (byte)'a', 1);
+            (extra[192 + 2], extra[192 + 4]) = (15, (byte)'b');
+            file.Vlr("LASF_Spec", 4, extra);
+            if (minor >= 4)
+                file.Evlr("u", 1, new byte[9])
+                    .Evlr("LASF_Projection", 2112, Encoding.ASCII.GetBytes("PROJCS[\"x\",UNIT[\"m\",1],ID[\"EPSG\",1]]"));
+            return file.RandomPoints(40, pointFormat).ToBytes();
         }
 
-        static byte[] Laz(int pointFormat, int version, LazTableLocation table) => new LazFileWriter
+        static IEnumerable<FormatFixture> OwnLaz()
+        {
+            foreach (int format in new[] { 0, 1, 3, 5 })
+                yield return Own("LAZ", "FirstVersion" + format, () => LazFileReading.FirstVersion("format" + format));
+            yield return Own("LAZ", "OneStream", () => LazFileReading.FirstVersion("one-stream"));
+            foreach (int format in new[] { 0, 1, 3, 5, 6, 7, 8, 10 })
+                foreach (var table in new[] { LazTableLocation.AtOffset, LazTableLocation.AtFileEnd, LazTableLocation.Missing })
+                    foreach (bool isVariable in new[] { false, true })
+                        yield return Own("LAZ", "PointFormat" + format + table + (isVariable ? "Variable" : ""),
+                            () => Laz(format, table, isVariable));
+        }
+
+        static byte[] Laz(int pointFormat, LazTableLocation table, bool isVariable) => new LazFileWriter
         {
             PointFormat = pointFormat,
-            ItemVersion = version,
+            ItemVersion = pointFormat < 6 ? 2 : isVariable ? 4 : 3,
             ExtraBytes = 2,
+            HasVariableChunks = isVariable,
             ChunkPoints = new[] { 40 },
             TableLocation = table,
         }.Write(LazRecords.Make(pointFormat, 2, 100, pointFormat));
