@@ -51,26 +51,28 @@ namespace FastPoints.Queries
         // One bit for each of eight points, of which these are the steps from the block's smallest coordinates on each axis.
         public readonly int MayHold(uint* x, uint* y, uint* z)
         {
-            if (!X86.Avx2.IsAvx2Supported)
-                return MayHoldPlain(x, y, z);
-            v256 across = X86.Avx.mm256_set1_ps(m_corner.x), above = X86.Avx.mm256_set1_ps(m_corner.y);
-            var along = X86.Avx.mm256_set1_ps(0);
-            for (int axis = 0; axis < 3; axis++)
+            if (X86.Avx2.IsAvx2Supported)
             {
-                var step = axis == 0 ? m_x : axis == 1 ? m_y : m_z;
-                var steps = X86.Avx.mm256_cvtepi32_ps(X86.Avx.mm256_loadu_si256(axis == 0 ? x : axis == 1 ? y : z));
-                across = X86.Avx.mm256_add_ps(across, X86.Avx.mm256_mul_ps(steps, X86.Avx.mm256_set1_ps(step.x)));
-                above = X86.Avx.mm256_add_ps(above, X86.Avx.mm256_mul_ps(steps, X86.Avx.mm256_set1_ps(step.y)));
-                along = X86.Avx.mm256_add_ps(along, X86.Avx.mm256_mul_ps(steps, X86.Avx.mm256_set1_ps(step.z)));
+                v256 across = X86.Avx.mm256_set1_ps(m_corner.x), above = X86.Avx.mm256_set1_ps(m_corner.y);
+                var along = X86.Avx.mm256_set1_ps(0);
+                for (int axis = 0; axis < 3; axis++)
+                {
+                    var step = axis == 0 ? m_x : axis == 1 ? m_y : m_z;
+                    var steps = X86.Avx.mm256_cvtepi32_ps(X86.Avx.mm256_loadu_si256(axis == 0 ? x : axis == 1 ? y : z));
+                    across = X86.Avx.mm256_add_ps(across, X86.Avx.mm256_mul_ps(steps, X86.Avx.mm256_set1_ps(step.x)));
+                    above = X86.Avx.mm256_add_ps(above, X86.Avx.mm256_mul_ps(steps, X86.Avx.mm256_set1_ps(step.y)));
+                    along = X86.Avx.mm256_add_ps(along, X86.Avx.mm256_mul_ps(steps, X86.Avx.mm256_set1_ps(step.z)));
+                }
+                var radius = X86.Avx.mm256_add_ps(X86.Avx.mm256_set1_ps(m_radius),
+                    X86.Avx.mm256_mul_ps(X86.Avx.mm256_set1_ps(m_radiusPerUnit), along));
+                var inside = X86.Avx.mm256_sub_ps(X86.Avx.mm256_mul_ps(radius, radius), X86.Avx.mm256_add_ps(
+                    X86.Avx.mm256_mul_ps(across, across), X86.Avx.mm256_mul_ps(above, above)));
+                int outside = X86.Avx.mm256_movemask_ps(inside) |
+                    X86.Avx.mm256_movemask_ps(X86.Avx.mm256_sub_ps(X86.Avx.mm256_set1_ps(m_far), along)) |
+                    X86.Avx.mm256_movemask_ps(X86.Avx.mm256_sub_ps(along, X86.Avx.mm256_set1_ps(m_near)));
+                return outside ^ 0xFF;
             }
-            var radius = X86.Avx.mm256_add_ps(X86.Avx.mm256_set1_ps(m_radius),
-                X86.Avx.mm256_mul_ps(X86.Avx.mm256_set1_ps(m_radiusPerUnit), along));
-            var inside = X86.Avx.mm256_sub_ps(X86.Avx.mm256_mul_ps(radius, radius), X86.Avx.mm256_add_ps(
-                X86.Avx.mm256_mul_ps(across, across), X86.Avx.mm256_mul_ps(above, above)));
-            int outside = X86.Avx.mm256_movemask_ps(inside) |
-                X86.Avx.mm256_movemask_ps(X86.Avx.mm256_sub_ps(X86.Avx.mm256_set1_ps(m_far), along)) |
-                X86.Avx.mm256_movemask_ps(X86.Avx.mm256_sub_ps(along, X86.Avx.mm256_set1_ps(m_near)));
-            return outside ^ 0xFF;
+            return MayHoldPlain(x, y, z);
         }
 
         // The same without intrinsics: Burst vectorizes it on other processors.

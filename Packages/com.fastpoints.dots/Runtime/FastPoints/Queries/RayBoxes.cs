@@ -50,42 +50,44 @@ namespace FastPoints.Queries
         // One bit for each box that may hold a hit, none of which is nearer than the box's start, which counts from Base.
         public static int Intersect(RayBoxes* ray, EightBoxes* boxes, float* starts)
         {
-            if (!X86.Avx2.IsAvx2Supported)
-                return IntersectPlain(ray, boxes, starts);
-            v256 along = X86.Avx.mm256_set1_ps(0), extent = X86.Avx.mm256_set1_ps(ray->m_alongSlack);
-            for (int axis = 0; axis < 3; axis++)
+            if (X86.Avx2.IsAvx2Supported)
             {
-                var middle = X86.Avx.mm256_sub_ps(X86.Avx.mm256_loadu_ps(boxes->Middle + axis * EightBoxes.Count),
-                    X86.Avx.mm256_set1_ps(((float*)&ray->m_origin)[axis]));
-                var half = X86.Avx.mm256_add_ps(X86.Avx.mm256_loadu_ps(boxes->Half + axis * EightBoxes.Count),
-                    X86.Avx.mm256_set1_ps(((float*)&ray->m_slack)[axis]));
-                along = X86.Avx.mm256_add_ps(along,
-                    X86.Avx.mm256_mul_ps(middle, X86.Avx.mm256_set1_ps(((float*)&ray->m_alongAxes)[axis])));
-                extent = X86.Avx.mm256_add_ps(extent,
-                    X86.Avx.mm256_mul_ps(half, X86.Avx.mm256_set1_ps(((float*)&ray->m_absAlong)[axis])));
+                v256 along = X86.Avx.mm256_set1_ps(0), extent = X86.Avx.mm256_set1_ps(ray->m_alongSlack);
+                for (int axis = 0; axis < 3; axis++)
+                {
+                    var middle = X86.Avx.mm256_sub_ps(X86.Avx.mm256_loadu_ps(boxes->Middle + axis * EightBoxes.Count),
+                        X86.Avx.mm256_set1_ps(((float*)&ray->m_origin)[axis]));
+                    var half = X86.Avx.mm256_add_ps(X86.Avx.mm256_loadu_ps(boxes->Half + axis * EightBoxes.Count),
+                        X86.Avx.mm256_set1_ps(((float*)&ray->m_slack)[axis]));
+                    along = X86.Avx.mm256_add_ps(along,
+                        X86.Avx.mm256_mul_ps(middle, X86.Avx.mm256_set1_ps(((float*)&ray->m_alongAxes)[axis])));
+                    extent = X86.Avx.mm256_add_ps(extent,
+                        X86.Avx.mm256_mul_ps(half, X86.Avx.mm256_set1_ps(((float*)&ray->m_absAlong)[axis])));
+                }
+                var start = X86.Avx.mm256_max_ps(X86.Avx.mm256_sub_ps(along, extent), X86.Avx.mm256_set1_ps(ray->m_near));
+                var end = X86.Avx.mm256_min_ps(X86.Avx.mm256_add_ps(along, extent), X86.Avx.mm256_set1_ps(ray->m_far));
+                var radius = X86.Avx.mm256_max_ps(X86.Avx.mm256_set1_ps(0), X86.Avx.mm256_add_ps(
+                    X86.Avx.mm256_set1_ps(ray->m_radius),
+                    X86.Avx.mm256_mul_ps(X86.Avx.mm256_set1_ps(ray->m_radiusPerUnit), ray->m_radiusPerUnit > 0 ? end : start)));
+                for (int axis = 0; axis < 3; axis++)
+                {
+                    var middle = X86.Avx.mm256_sub_ps(X86.Avx.mm256_loadu_ps(boxes->Middle + axis * EightBoxes.Count),
+                        X86.Avx.mm256_set1_ps(((float*)&ray->m_origin)[axis]));
+                    var half = X86.Avx.mm256_add_ps(X86.Avx.mm256_loadu_ps(boxes->Half + axis * EightBoxes.Count),
+                        X86.Avx.mm256_set1_ps(((float*)&ray->m_slack)[axis]));
+                    var inverse = X86.Avx.mm256_set1_ps(((float*)&ray->m_inverse)[axis]);
+                    var reach = X86.Avx.mm256_mul_ps(
+                        X86.Avx.mm256_add_ps(half,
+                            X86.Avx.mm256_mul_ps(radius, X86.Avx.mm256_set1_ps(((float*)&ray->m_reach)[axis]))),
+                        X86.Avx.mm256_set1_ps(((float*)&ray->m_absInverse)[axis]));
+                    middle = X86.Avx.mm256_mul_ps(middle, inverse);
+                    start = X86.Avx.mm256_max_ps(start, X86.Avx.mm256_sub_ps(middle, reach));
+                    end = X86.Avx.mm256_min_ps(end, X86.Avx.mm256_add_ps(middle, reach));
+                }
+                X86.Avx.mm256_storeu_ps(starts, start);
+                return X86.Avx.mm256_movemask_ps(X86.Avx.mm256_sub_ps(end, start)) ^ 0xFF;
             }
-            var start = X86.Avx.mm256_max_ps(X86.Avx.mm256_sub_ps(along, extent), X86.Avx.mm256_set1_ps(ray->m_near));
-            var end = X86.Avx.mm256_min_ps(X86.Avx.mm256_add_ps(along, extent), X86.Avx.mm256_set1_ps(ray->m_far));
-            var radius = X86.Avx.mm256_max_ps(X86.Avx.mm256_set1_ps(0), X86.Avx.mm256_add_ps(
-                X86.Avx.mm256_set1_ps(ray->m_radius),
-                X86.Avx.mm256_mul_ps(X86.Avx.mm256_set1_ps(ray->m_radiusPerUnit), ray->m_radiusPerUnit > 0 ? end : start)));
-            for (int axis = 0; axis < 3; axis++)
-            {
-                var middle = X86.Avx.mm256_sub_ps(X86.Avx.mm256_loadu_ps(boxes->Middle + axis * EightBoxes.Count),
-                    X86.Avx.mm256_set1_ps(((float*)&ray->m_origin)[axis]));
-                var half = X86.Avx.mm256_add_ps(X86.Avx.mm256_loadu_ps(boxes->Half + axis * EightBoxes.Count),
-                    X86.Avx.mm256_set1_ps(((float*)&ray->m_slack)[axis]));
-                var inverse = X86.Avx.mm256_set1_ps(((float*)&ray->m_inverse)[axis]);
-                var reach = X86.Avx.mm256_mul_ps(
-                    X86.Avx.mm256_add_ps(half,
-                        X86.Avx.mm256_mul_ps(radius, X86.Avx.mm256_set1_ps(((float*)&ray->m_reach)[axis]))),
-                    X86.Avx.mm256_set1_ps(((float*)&ray->m_absInverse)[axis]));
-                middle = X86.Avx.mm256_mul_ps(middle, inverse);
-                start = X86.Avx.mm256_max_ps(start, X86.Avx.mm256_sub_ps(middle, reach));
-                end = X86.Avx.mm256_min_ps(end, X86.Avx.mm256_add_ps(middle, reach));
-            }
-            X86.Avx.mm256_storeu_ps(starts, start);
-            return X86.Avx.mm256_movemask_ps(X86.Avx.mm256_sub_ps(end, start)) ^ 0xFF;
+            return IntersectPlain(ray, boxes, starts);
         }
 
         // The same without intrinsics.
