@@ -254,10 +254,11 @@ namespace FastPoints.Surface
             double now = UnityEngine.Time.realtimeSinceStartupAsDouble;
             try
             {
-                if (Surface == null ? m_edits != EditJournal.Writes : !m_follow(Surface))
+                int edits = EditJournal.Writes; // Others write meanwhile.
+                if (Surface == null ? m_edits != edits : !m_follow(Surface))
                     Reopen();
                 if (Surface == null)
-                    m_edits = EditJournal.Writes;
+                    m_edits = edits;
                 if (Surface == null ? TryOpen(cacheMegabytes, now) : !IsEditing() && Surface.Update(now, budgetMs))
                     Error = null;
             }

@@ -9,6 +9,7 @@ namespace FastPoints.Queries
     {
         const double Rounding = 4e-6; // Floats that are summed here lose less than this share of the largest.
         const double LargestInverse = 1e25; // In place of infinity, so that nothing becomes no number.
+        const double LargestRadius = 1e20; // Likewise.
 
         public readonly double Base; // Distance from which the others count.
         readonly float3 m_origin; // From the tree's corner, in CRS units.
@@ -37,7 +38,7 @@ namespace FastPoints.Queries
             m_alongAxes = (float3)local.AlongAxes;
             m_absAlong = math.abs(m_alongAxes);
             m_reach = (float3)local.Reach;
-            double radius = ray.RadiusAt(Base);
+            double radius = math.min(ray.RadiusAt(Base), LargestRadius);
             double3 slack = Rounding * (largest + math.abs(radius) * local.Reach);
             m_slack = (float3)slack;
             m_alongSlack = (float)math.dot(math.abs(local.AlongAxes), slack);

@@ -49,12 +49,17 @@ namespace FastPoints.Store
             BlockCodec.UnpackWide(words, minimum, first, count, width, values);
         }
 
-        // From the block's smallest value, of a width of up to 32 bits. The first of them is the eighth, sixteenth and so on,
-        // which begin with a byte.
+        // From the block's smallest value, of a width of up to 32 bits. Word by word, as BlockCodec.OffsetAt, for ARMv7.
         public void UnpackOffsets(int block, int column, int first, int count, uint* offsets)
         {
-            int width = WidthOf(block, column);
-            BlockCodec.Unpack((uint*)((byte*)Packed(block, column) + first / 8 * width), 0, count, width, offsets);
+            int width = WidthOf(block, column), bit = first * width;
+            uint* words = Packed(block, column);
+            uint mask = (uint)((1UL << width) - 1);
+            for (int i = 0; i < count; i++, bit += width)
+            {
+                uint* at = words + (bit >> 5);
+                offsets[i] = (uint)((at[0] | (ulong)at[1] << 32) >> (bit & 31)) & mask;
+            }
         }
 
         // On one axis, counted from where the node's corner counts from.

@@ -32,6 +32,8 @@ namespace FastPoints.Tests.Queries
                 var aim = i % 7 == 0 ? eye - new double3(0, 0, 1) : random.NextDouble3(-50, 50);
                 var query = PointQuery.Ray(corner + eye, aim - eye, random.NextDouble(0, 9));
                 query.RadiusPerUnit = random.NextDouble(-0.02, 0.02);
+                if (i % 100 == 1)
+                    (query.Radius, query.RadiusPerUnit) = (double.PositiveInfinity, 0);
                 var space = new QuerySpace(query, new CloudPlacement(double3x3.identity, 0));
                 var rays = space.BoxesOf(tree);
                 for (int first = 0; first < tree.LeafCount; first += 8)

@@ -49,7 +49,7 @@ namespace FastPoints.Store
         // 0 if none may.
         public unsafe ulong HashIn(in EditShape box)
         {
-            ulong* hashes = stackalloc ulong[2];
+            ulong* hashes = stackalloc ulong[] { 0, 0 };
             int tries = int.MaxValue;
             if (!Reaches.Any(box, ref tries))
                 return 0;
