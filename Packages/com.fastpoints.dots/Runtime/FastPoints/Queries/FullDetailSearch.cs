@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Drawing;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Mathematics;
@@ -32,7 +31,7 @@ namespace FastPoints.Queries
             return SearchAll(query, new PickOptions { MaxHits = maxHits }, (picker, cloud, placement) =>
             {
                 for (int i = 0; i < picker.Hits.Totals.Count; i++)
-                    hits.Add(Describe(picker, i, cloud, placement));
+                    hits.Add(Describe(picker, picker.Hits[i], cloud, placement));
                 // Of several clouds, the first of all.
                 hits.Sort((a, b) => a.Distance != b.Distance ? a.Distance.CompareTo(b.Distance) : a.Cloud.CompareTo(b.Cloud));
                 if (hits.Count > maxHits)
@@ -112,7 +111,6 @@ namespace FastPoints.Queries
                     options.Cloud = c;
                     placement = placement.ForVersion(source, picker.Source);
                     yield return JobStep.Of(picker.Search(query, placement, Unlimited(options), new PickResult()));
-                    yield return JobStep.Of(picker.ReadNormals());
                     found(picker, c, placement);
                 }
                 finally
@@ -177,21 +175,18 @@ namespace FastPoints.Queries
             return false;
         }
 
-        static PointHit Describe(PointPicker picker, int index, int cloud, in CloudPlacement placement)
+        static PointHit Describe(PointPicker picker, in PickHit hit, int cloud, in CloudPlacement placement)
         {
-            var (hit, source) = (picker.Hits[index], picker.Source);
-            var from = hit.Position - source.Root.Corner;
-            var metres = source.Crs.Units.MetresAt(source.Grid.ToGeo(source.Root.Corner), UpAxis.Z);
+            var from = hit.Position - picker.Source.Root.Corner;
             return new PointHit
             {
-                PositionWorld = math.mul(placement.Linear, new double3(from.X, from.Y, from.Z) * source.Grid.Step) +
+                PositionWorld = math.mul(placement.Linear, new double3(from.X, from.Y, from.Z) * picker.Source.Grid.Step) +
                     placement.OriginWorld,
-                PositionGeo = source.Grid.ToGeo(hit.Position),
+                PositionGeo = picker.Source.Grid.ToGeo(hit.Position),
                 Position = hit.Position,
                 Distance = hit.Distance,
-                NormalWorld = picker.NormalAt(index, DrawListCloud.NormalsToWorld(placement.Linear, metres)),
                 // What a preview lacks may lie anywhere.
-                SpacingWorld = source.HasAllPoints ? 0 : double.PositiveInfinity,
+                SpacingWorld = picker.Source.HasAllPoints ? 0 : double.PositiveInfinity,
                 Cloud = cloud,
                 Slot = NodeState.NoSlot,
             };

@@ -9,7 +9,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Queries
 {
-    // Reads the attributes of one point: every plane of its node that has some, at once; or transcodes them.
+    // Reads all that a cloud has of one point: every plane of its node except the position's, at once; or transcodes them.
     sealed class PickDetails : IDisposable
     {
         readonly StreamedCloud m_cloud;
@@ -35,17 +35,13 @@ namespace FastPoints.Queries
             m_cloud = cloud;
             int count = Source.TranscodesNodes ? Source.Layout.Planes.Count : Source.Planes.Length;
             for (int p = 1; p < count; p++)
-            {
-                var plane = Source.Layout.Planes[Source.TranscodesNodes ? p : Source.Planes[p]];
-                if (!plane.IsComputed)
-                    m_planes.Add(new Plane
-                    {
-                        Number = p,
-                        Layout = plane,
-                        Values = new NativeArray<ulong>(PlaneShape.MaxColumns, Allocator.Persistent),
-                        IsDamaged = new NativeReference<bool>(Allocator.Persistent),
-                    });
-            }
+                m_planes.Add(new Plane
+                {
+                    Number = p,
+                    Layout = Source.Layout.Planes[Source.TranscodesNodes ? p : Source.Planes[p]],
+                    Values = new NativeArray<ulong>(PlaneShape.MaxColumns, Allocator.Persistent),
+                    IsDamaged = new NativeReference<bool>(Allocator.Persistent),
+                });
         }
 
         public JobHandle Done => m_isTranscoding ? m_transcoder.Done : m_done; // To await before the next call.

@@ -22,7 +22,6 @@ namespace FastPoints.Queries
         readonly List<PickSlot> m_slots = new List<PickSlot>();
         readonly List<PickCandidate> m_taken = new List<PickCandidate>();
         readonly PickDetails m_details;
-        readonly PickNormals m_normals;
         readonly int m_classPlane = -1; // Among the streamed planes; -1 if there are no classes.
         NativeArray<PickHit> m_hitMemory;
         PointQuery m_query; // State of the search in progress.
@@ -42,7 +41,6 @@ namespace FastPoints.Queries
             for (int s = 0; s < SlotCount; s++)
                 m_slots.Add(new PickSlot(m_cloud));
             m_details = new PickDetails(m_cloud);
-            m_normals = new PickNormals(m_cloud);
         }
 
         public NodeSource Source => m_cloud.Source;
@@ -121,19 +119,12 @@ namespace FastPoints.Queries
 
         public HitHeap Hits => m_hits;
 
-        // Coroutine, after a search: reads what NormalAt takes.
-        public IEnumerator<JobStep> ReadNormals() => m_normals.Read(m_hitMemory.GetSubArray(0, m_hits.Totals.Count));
-
-        // Of a hit; 0 if it is unknown.
-        public float3 NormalAt(int hit, in double3x3 toWorld) => m_normals.NormalAt(hit, toWorld);
-
         // A search in progress must be ended by its coroutine first.
         public void Dispose()
         {
             foreach (var slot in m_slots)
                 slot.Dispose();
             m_details.Dispose();
-            m_normals.Dispose();
             m_cloud.Dispose();
             if (m_hitMemory.IsCreated)
                 m_hitMemory.Dispose();

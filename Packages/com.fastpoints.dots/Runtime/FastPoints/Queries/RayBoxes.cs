@@ -28,8 +28,7 @@ namespace FastPoints.Queries
         public RayBoxes(in PointQuery ray, in RayLocal local, in BoxTree tree)
         {
             tree.GetAll(out var middle, out var half);
-            var center = middle + tree.Corner;
-            Base = math.dot(center, local.AlongAxes) + local.AlongCorner;
+            Base = math.dot(middle + tree.Corner, local.AlongAxes) + local.AlongCorner;
             var origin = local.Origin + local.Direction * Base - tree.Corner;
             var largest = math.abs(middle) + half + math.abs(origin);
             m_origin = (float3)origin;
