@@ -381,11 +381,22 @@ namespace FastPoints.Tests.Build
             while (work.MoveNext())
             {
                 work.Current.Complete();
-                if (!File.Exists(manifest))
-                    continue;
-                var said = CloudManifest.FromJson(File.ReadAllText(manifest), manifest);
-                if (said.IsBuilding && said.Generation != generation)
+                var said = File.Exists(manifest) ? ReadManifest(manifest) : null;
+                if (said != null && said.IsBuilding && said.Generation != generation)
                     yield return generation = said.Generation;
+            }
+        }
+
+        /// <summary>Null where a thread of the pool has just given the folder its final name.</summary>
+        static CloudManifest ReadManifest(string path)
+        {
+            try
+            {
+                return CloudManifest.FromJson(File.ReadAllText(path), path);
+            }
+            catch (DirectoryNotFoundException)
+            {
+                return null;
             }
         }
 
