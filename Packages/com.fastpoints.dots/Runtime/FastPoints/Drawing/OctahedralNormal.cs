@@ -32,6 +32,10 @@ namespace FastPoints.Drawing
             return math.normalize(new float3(p, z));
         }
 
+        /// <summary>A unit vector of the world; 0 of no normal. toWorld: see DrawListCloud.NormalsToWorld.</summary>
+        public static float3 ToWorld(ushort code, in double3x3 toWorld) =>
+            code == None ? default : (float3)math.normalize(math.mul(toWorld, (double3)Decode(code)));
+
         /// <summary>The code of the opposite vector, exactly.</summary>
         public static ushort Opposite(ushort code) => Encode(-Decode(code));
 

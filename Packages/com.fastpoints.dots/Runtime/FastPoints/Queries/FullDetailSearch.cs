@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using FastPoints.Drawing;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Mathematics;
@@ -28,10 +29,17 @@ namespace FastPoints.Queries
             if (maxHits < 0)
                 throw new ArgumentException("wanted 0 hits or more, got " + maxHits);
             hits.Clear();
-            return SearchAll(query, new PickOptions { MaxHits = maxHits }, (picker, cloud, placement) =>
+            var options = new PickOptions { MaxHits = maxHits, FindsNormals = maxHits > 0 };
+            return SearchAll(query, options, (picker, cloud, placement) =>
             {
+                var metres = picker.Source.Crs.Units.MetresAt(picker.Source.Grid.ToGeo(picker.Source.Root.Corner), UpAxis.Z);
+                var normalsToWorld = DrawListCloud.NormalsToWorld(placement.Linear, metres);
                 for (int i = 0; i < picker.Hits.Totals.Count; i++)
-                    hits.Add(Describe(picker, picker.Hits[i], cloud, placement));
+                {
+                    var hit = Describe(picker, picker.Hits[i], cloud, placement);
+                    hit.NormalWorld = OctahedralNormal.ToWorld(picker.Hits[i].Normal, normalsToWorld);
+                    hits.Add(hit);
+                }
                 // Of several clouds, the first of all.
                 hits.Sort((a, b) => a.Distance != b.Distance ? a.Distance.CompareTo(b.Distance) : a.Cloud.CompareTo(b.Cloud));
                 if (hits.Count > maxHits)

@@ -106,6 +106,7 @@ namespace FastPoints.Queries
         public int Node; // Its planes hold the point.
         public int Block;
         public int Index; // In its block.
+        public ushort Normal; // OctahedralNormal, of a stored point.
 
         public static PickHit None => new PickHit { Distance = double.PositiveInfinity };
 

@@ -14,6 +14,7 @@ namespace FastPoints.Queries
         public QuerySpace Space;
         public BlockFilter Filter; // Undefined without one.
         public PlaneView Positions;
+        public PlaneView Normals; // No words if hits need none.
         public double3 Step; // CRS units.
         public Grid3 RootCorner;
         public Grid3 Corner; // Of the node, from the root's.
@@ -96,8 +97,13 @@ namespace FastPoints.Queries
                 Node = Node,
                 Block = at.Block,
                 Index = index,
+                Normal = NormalAt(Normals, at.Block, index),
             });
         }
+
+        // None of a plane without words.
+        public static ushort NormalAt(in PlaneView normals, int block, int index) => normals.Words == null
+            ? OctahedralNormal.None : (ushort)(normals.ValueAt(block, 0, index) | normals.ValueAt(block, 1, index) << 8);
 
         // In steps, at most.
         readonly float ExtentOf(int block, int axis) => math.asfloat((127u + (uint)Positions.WidthOf(block, axis)) << 23);

@@ -9,7 +9,7 @@ using Unity.Jobs;
 
 namespace FastPoints.Queries
 {
-    // Reads all that a cloud has of one point: every plane of its node except the position's, at once; or transcodes them.
+    // Reads the attributes of one point: every plane of its node that has some, at once; or transcodes them.
     sealed class PickDetails : IDisposable
     {
         readonly StreamedCloud m_cloud;
@@ -34,7 +34,7 @@ namespace FastPoints.Queries
         {
             m_cloud = cloud;
             int count = Source.TranscodesNodes ? Source.Layout.Planes.Count : Source.Planes.Length;
-            for (int p = 1; p < count; p++)
+            for (int p = 1; p < count && (Source.TranscodesNodes || !Source.IsComputed(p)); p++)
                 m_planes.Add(new Plane
                 {
                     Number = p,

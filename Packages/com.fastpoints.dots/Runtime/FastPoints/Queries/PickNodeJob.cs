@@ -23,6 +23,12 @@ namespace FastPoints.Queries
         public PlaneShape ClassShape;
         public ulong ClassHash;
         public ClassMask Hidden;
+
+        // The plane of normals if hits have some; otherwise undefined. They are unknown where it is damaged.
+        [ReadOnly] public NativeArray<byte> Normals;
+        public PlaneShape NormalShape;
+        public ulong NormalHash;
+        public bool HasNormals;
         public int BlockCount;
         public bool IsTranscoded; // Made in memory, so that there are no hashes.
 
@@ -62,6 +68,8 @@ namespace FastPoints.Queries
             };
             if (!Hidden.IsEmpty && isValid)
                 search.Classes = View(Classes, ClassShape, ClassHash, out isValid);
+            var normals = HasNormals ? View(Normals, NormalShape, NormalHash, out HasNormals) : default;
+            search.Normals = HasNormals ? normals : default;
             IsDamaged.Value = !isValid;
             Totals.Value = default;
             if (!isValid)

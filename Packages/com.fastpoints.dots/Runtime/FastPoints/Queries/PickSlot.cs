@@ -14,6 +14,7 @@ namespace FastPoints.Queries
         readonly StreamedCloud m_cloud;
         readonly StoreRead m_first = new StoreRead();
         readonly StoreRead m_classes = new StoreRead();
+        readonly StoreRead m_normals = new StoreRead();
         NativeReference<HierarchyPage> m_built = new NativeReference<HierarchyPage>(Allocator.Persistent);
         NativeReference<TableProblem> m_problem = new NativeReference<TableProblem>(Allocator.Persistent);
         NativeReference<HitTotals> m_totals = new NativeReference<HitTotals>(Allocator.Persistent);
@@ -24,6 +25,7 @@ namespace FastPoints.Queries
         bool m_isTranscoding;
         PickNodeJob m_job; // Of the node that is transcoded.
         int m_classPlane;
+        int m_normalPlane;
         JobHandle m_done;
 
         public PickSlot(StreamedCloud cloud) => m_cloud = cloud;
@@ -40,7 +42,8 @@ namespace FastPoints.Queries
         // Returns whether all bytes have arrived, so that Done covers the decoding too. A remote node's decoding is started
         // from here.
         public bool TryContinueReads() =>
-            m_first.IsFetched && m_classes.IsFetched && (!m_isTranscoding || m_transcoder.TryScheduleDecode());
+            m_first.IsFetched && m_classes.IsFetched && m_normals.IsFetched &&
+            (!m_isTranscoding || m_transcoder.TryScheduleDecode());
 
         // Whether Continue has something to do when it is.
         public bool HasMore => m_candidate.IsPage || m_isTranscoding || Source.RemoteOf(m_candidate.Page) != null;
@@ -93,12 +96,13 @@ namespace FastPoints.Queries
             m_built.Value = default;
         }
 
-        // The job is the search's own, but for what it says of this node. The plane of classes is an index among the streamed
-        // ones.
-        public unsafe void BeginNode(in PickNodeJob search, int classPlane, int maxHits)
+        // The job is the search's own, but for what it says of this node. The planes of classes and normals are indices among
+        // the streamed ones.
+        public unsafe void BeginNode(in PickNodeJob search, int classPlane, int normalPlane, int maxHits)
         {
             int page = m_candidate.Page, node = m_candidate.Node;
             m_classPlane = search.Hidden.IsEmpty ? StoreLayout.PositionPlane : classPlane;
+            m_normalPlane = search.HasNormals ? normalPlane : StoreLayout.PositionPlane;
             if (m_hits.Length != maxHits || !m_hits.IsCreated)
             {
                 if (m_hits.IsCreated)
@@ -108,6 +112,7 @@ namespace FastPoints.Queries
             m_job = search;
             m_job.PositionShape = m_cloud.ShapeOf(page, node, StoreLayout.PositionPlane);
             m_job.ClassShape = m_cloud.ShapeOf(page, node, m_classPlane);
+            m_job.NormalShape = m_cloud.ShapeOf(page, node, m_normalPlane);
             m_job.BlockCount = m_cloud.Pages[page].Nodes[node].BlockCount;
             m_job.IsTranscoded = m_transcoder != null;
             m_job.Address = m_cloud.Pages[page].Addresses[node];
@@ -127,6 +132,7 @@ namespace FastPoints.Queries
             Done.Complete();
             m_first.Complete();
             m_classes.Complete();
+            TryCompleteNormals();
             ReturnTranscoder();
             if (m_isDamaged.Value)
                 throw new PointCloudException(FailureCode.BadInput, Source.PathOf(m_candidate.Page),
@@ -142,6 +148,7 @@ namespace FastPoints.Queries
             Done.Complete();
             m_first.Abandon();
             m_classes.Abandon();
+            m_normals.Abandon();
             ReturnTranscoder();
             if (m_built.Value.Nodes != null)
                 m_built.Value.Free();
@@ -155,6 +162,7 @@ namespace FastPoints.Queries
             Abandon();
             m_first.Dispose();
             m_classes.Dispose();
+            m_normals.Dispose();
             m_built.Dispose();
             m_problem.Dispose();
             m_totals.Dispose();
@@ -179,7 +187,7 @@ namespace FastPoints.Queries
             m_first.Begin(path, positions.OffsetBytes, positions.LengthBytes, remote);
             Bytes = positions.LengthBytes;
             var read = m_first.Done;
-            m_job.Positions = m_job.Classes = m_first.Bytes;
+            m_job.Positions = m_job.Classes = m_job.Normals = m_first.Bytes;
             m_job.PositionHash = positions.Hash;
             if (!m_job.Hidden.IsEmpty)
             {
@@ -190,6 +198,16 @@ namespace FastPoints.Queries
                 m_job.Classes = m_classes.Bytes;
                 m_job.ClassHash = classes.Hash;
             }
+            if (m_job.HasNormals)
+            {
+                var normals = m_cloud.RangeOf(m_candidate.Page, m_candidate.Node, m_normalPlane);
+                m_normals.Begin(Source.PathOfComputed(m_candidate.Page), normals.OffsetBytes, normals.LengthBytes,
+                    Source.RemoteOfComputed(m_candidate.Page));
+                Bytes += normals.LengthBytes;
+                read = JobHandle.CombineDependencies(read, m_normals.Done);
+                m_job.Normals = m_normals.Bytes;
+                m_job.NormalHash = normals.Hash;
+            }
             Done = remote != null ? default : m_job.Schedule(read);
         }
 
@@ -198,7 +216,22 @@ namespace FastPoints.Queries
         {
             m_first.Complete();
             m_classes.Complete();
+            m_job.HasNormals &= TryCompleteNormals();
             Done = m_job.Schedule();
+        }
+
+        // A hit is one without its normal, too.
+        bool TryCompleteNormals()
+        {
+            try
+            {
+                m_normals.Complete();
+                return true;
+            }
+            catch (PointCloudException)
+            {
+                return false;
+            }
         }
 
         unsafe void BeginTranscoding()
@@ -216,6 +249,7 @@ namespace FastPoints.Queries
             m_transcoder.CorrectCounts(ref m_job.BlockCount, ref points);
             m_job.Positions = m_transcoder.PlaneOf(StoreLayout.PositionPlane);
             m_job.Classes = m_transcoder.PlaneOf(m_classPlane);
+            m_job.Normals = m_transcoder.PlaneOf(m_normalPlane);
             Done = m_job.Schedule();
         }
 

@@ -115,7 +115,7 @@ namespace FastPoints.Queries
 
         /// <summary>Coroutine: finds the first points among all that are stored. Memory is bounded by their number and a few
         /// nodes. Cancelling it leaves nothing behind.</summary>
-        /// <param name="hits">Receives them, the first one first. They have no normals.</param>
+        /// <param name="hits">Receives them, the first one first.</param>
         /// <exception cref="PointCloudException">A cloud cannot be read.</exception>
         public IEnumerator<JobStep> FindInFullDetail(PointQuery query, int maxHits, List<PointHit> hits) =>
             m_stored.Find(query, maxHits, hits);

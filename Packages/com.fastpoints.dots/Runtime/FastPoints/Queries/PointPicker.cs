@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using FastPoints.Drawing;
+using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
@@ -22,7 +23,8 @@ namespace FastPoints.Queries
         readonly List<PickSlot> m_slots = new List<PickSlot>();
         readonly List<PickCandidate> m_taken = new List<PickCandidate>();
         readonly PickDetails m_details;
-        readonly int m_classPlane = -1; // Among the streamed planes; -1 if there are no classes.
+        readonly int m_classPlane; // Among the streamed planes; -1 if there are no classes.
+        readonly int m_normalPlane;
         NativeArray<PickHit> m_hitMemory;
         PointQuery m_query; // State of the search in progress.
         QuerySpace m_space;
@@ -35,9 +37,8 @@ namespace FastPoints.Queries
         public PointPicker(NodeSource source)
         {
             m_cloud = new StreamedCloud(source, default);
-            for (int p = 1; p < source.Planes.Length; p++)
-                if (source.Planes[p] == source.Layout.PlaneOf(AttributeNames.Classification))
-                    m_classPlane = p;
+            m_classPlane = ResidentArrays.PlaneOf(source, AttributeNames.Classification);
+            m_normalPlane = ResidentArrays.PlaneOf(source, StoreLayout.NormalName);
             for (int s = 0; s < SlotCount; s++)
                 m_slots.Add(new PickSlot(m_cloud));
             m_details = new PickDetails(m_cloud);
@@ -181,6 +182,7 @@ namespace FastPoints.Queries
             var search = new PickNodeJob
             {
                 Hidden = m_classPlane >= 0 ? m_options.HiddenClasses : default,
+                HasNormals = m_normalPlane >= 0 && m_options.FindsNormals,
                 Space = m_space,
                 Filter = new BlockFilter(m_query, m_space, Source.Grid.Step),
                 Clips = clips,
@@ -195,7 +197,7 @@ namespace FastPoints.Queries
                 if (m_taken[i].IsPage)
                     m_slots[i].BeginPage();
                 else
-                    m_slots[i].BeginNode(search, m_classPlane, m_options.MaxHits);
+                    m_slots[i].BeginNode(search, m_classPlane, m_normalPlane, m_options.MaxHits);
                 hasMore |= m_slots[i].HasMore;
                 m_result.BytesRead += m_slots[i].Bytes;
             }
@@ -301,6 +303,7 @@ namespace FastPoints.Queries
         public ClassMask HiddenClasses;
         public int MaxHits = 1;
         public bool CountsAll; // Also those behind the first hits.
+        public bool FindsNormals; // Of hits, where the cloud has some.
         public int Cloud; // Number of the cloud in its stream, for the hits.
 
         // Nothing below a node is searched if its points lie nearer to each other than this share of the ray's radius: a screen

@@ -115,13 +115,14 @@ namespace FastPoints.Queries
             var node = Nodes[hit.Node];
             var from = hit.Position - cloud.RootCorner;
             var local = new double3(from.X, from.Y, from.Z) * cloud.Grid.Step;
+            ushort normal = NodeSearch.NormalAt(node.Normals, hit.Block, hit.Index);
             return new PointHit
             {
                 PositionWorld = math.mul(cloud.Placement.Linear, local) + cloud.Placement.OriginWorld,
                 PositionGeo = cloud.Grid.ToGeo(hit.Position),
                 Position = hit.Position,
                 Distance = hit.Distance,
-                NormalWorld = node.NormalAt(hit.Block, hit.Index, cloud.NormalsToWorld),
+                NormalWorld = OctahedralNormal.ToWorld(normal, cloud.NormalsToWorld),
                 SpacingWorld = SpacingAt(hit.Node, local) * cloud.LargestScale,
                 Cloud = cloud.Number,
                 Slot = node.Slot,
@@ -253,16 +254,5 @@ namespace FastPoints.Queries
         const double Rounding = 1e-6; // What a float rounds away at the ends of the box.
 
         public readonly bool Holds(double3 local) => math.all(math.abs(local - Center) <= Half * (1 + Rounding));
-
-        public readonly float3 NormalAt(int block, int index, in double3x3 toWorld)
-        {
-            if (Normals.Words == null)
-                return default;
-            ulong u = Normals.ValueAt(block, 0, index), v = Normals.ValueAt(block, 1, index);
-            ushort code = (ushort)(u | v << 8);
-            if (code == OctahedralNormal.None)
-                return default;
-            return (float3)math.normalize(math.mul(toWorld, (double3)OctahedralNormal.Decode(code)));
-        }
     }
 }

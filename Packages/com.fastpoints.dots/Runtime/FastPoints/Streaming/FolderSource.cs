@@ -35,13 +35,13 @@ namespace FastPoints.Streaming
             m_shapes = folder.Layout.CreateShapes(Allocator.Persistent);
         }
 
-        /// <summary>Opens a folder with all planes of attributes: a small file and a page, on any thread.</summary>
+        /// <summary>Opens a folder with all planes but averages: a small file and a page, on any thread.</summary>
         public static FolderSource OpenWhole(string path)
         {
             var folder = CloudFolder.Open(path);
             var names = new List<string>();
             foreach (var plane in folder.Layout.Planes)
-                if (plane.IsSource)
+                if (plane.AverageOf < 0)
                     names.Add(plane.Name);
             return new FolderSource(folder, names.ToArray());
         }

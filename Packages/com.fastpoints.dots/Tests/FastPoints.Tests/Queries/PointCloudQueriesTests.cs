@@ -4,10 +4,12 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using FastPoints.Build;
+using FastPoints.Drawing;
 using FastPoints.Queries;
 using FastPoints.Sources;
 using FastPoints.Store;
 using FastPoints.Streaming;
+using FastPoints.Tests.Build;
 using FastPoints.Tests.Nodes;
 using FastPoints.Tests.Sources;
 using FastPoints.Tests.Streaming;
@@ -109,6 +111,8 @@ namespace FastPoints.Tests.Queries
                 Assert.That(points.Count(query), Is.EqualTo(wanted.Length), query.Shape.ToString());
             }
             Assert.That(stream.CountInFullDetail(PointQuery.Nearest(worlds[0])), Is.EqualTo(worlds.Length));
+            Assert.That(stream.FindInFullDetail(PointQuery.Nearest(worlds[0]), 3).Select(hit => hit.NormalWorld),
+                Is.EqualTo(new float3[3]), "it has no normals");
         }
 
         [Test]
@@ -157,6 +161,70 @@ namespace FastPoints.Tests.Queries
             }
             Assert.That(() => stream.Queries.Schedule(queries, maxHits + 1, hits, counts),
                 Throws.ArgumentException.With.Message.Contains("wanted room for " + (maxHits + 1) + " hits of 280 queries"));
+        }
+
+        /// <summary>By what a normal is: it stays across what it was across, on the side on which it was.</summary>
+        [Test]
+        public void Stored_CloudWithNormals_HasThemAsTheCloudStands([Range(1, 2)] int placed, [Values] bool isEdited)
+        {
+            using var cloud = new PickTestCloud(6000);
+            JobCoroutine.RunToEnd(AddNormals.Run(cloud.Path, null, null, null));
+            var source = new FolderSource(CloudFolder.Open(cloud.Path));
+            var removed = new EditOperation { Action = EditAction.Delete };
+            removed.Boxes.Add(EditShape.Box(source.Grid, PickTestCloud.OriginGeo - 1000, PickTestCloud.OriginGeo + 40));
+            source.Edits = isEdited ? EditPlan.Of(cloud.Path, source.Folder.Manifest, removed) : null;
+            using var stream = new QueryTestStream(source, s_placements[placed], 500);
+            var stored = AddNormalsTests.NormalsOf(cloud.Path).ToLookup(point => point.Place, point => point.Normal);
+            var linear = s_placements[placed].Linear;
+            float3 Placed(ushort code)
+            {
+                var normal = (double3)OctahedralNormal.Decode(code);
+                var along = math.normalize(math.cross(normal, math.abs(normal.z) < 0.9 ? new double3(0, 0, 1) : new double3(1, 0, 0)));
+                var across = math.cross(math.mul(linear, along), math.mul(linear, math.cross(normal, along)));
+                return (float3)(math.normalize(across) * (math.dot(across, math.mul(linear, normal)) < 0 ? -1 : 1));
+            }
+            var hits = stream.FindInFullDetail(PointQuery.Nearest(s_placements[placed].OriginWorld), 6000);
+            Assert.That(hits.Length, isEdited ? Is.InRange(4000, 5500) : Is.EqualTo(6000));
+            Assert.That(hits.Count(hit => !hit.NormalWorld.Equals(0)), Is.GreaterThan(hits.Length / 2));
+            foreach (var hit in hits)
+                Assert.That(stored[hit.PositionGeo].Any(code => code == OctahedralNormal.None ? hit.NormalWorld.Equals(0)
+                    : math.distance(hit.NormalWorld, Placed(code)) < 1e-6f), Is.True, hit.PositionGeo.ToString());
+        }
+
+        [TestCase("damaged"), TestCase("cut"), TestCase("gone")]
+        public void Stored_NormalsCannotBeRead_AreUnknownAndHitsStay(string how)
+        {
+            using var cloud = new PickTestCloud(30000);
+            JobCoroutine.RunToEnd(AddNormals.Run(cloud.Path, null, null, null));
+            var query = PointQuery.Nearest(PickTestCloud.OriginGeo);
+            PointHit[] Found()
+            {
+                using var stream = new QueryTestStream(new FolderSource(CloudFolder.Open(cloud.Path)), null, 500);
+                return stream.FindInFullDetail(query, 30000);
+            }
+            var whole = Found();
+            using (var folder = CloudFolder.Open(cloud.Path))
+            {
+                string path = folder.PathOfComputed(0);
+                byte[] bytes = File.ReadAllBytes(path);
+                bytes[bytes.Length / 2] ^= 4;
+                if (how == "gone")
+                    File.Delete(path);
+                else
+                    File.WriteAllBytes(path, how == "cut" ? bytes[..(bytes.Length / 2)] : bytes);
+            }
+            var found = Found();
+            Assert.That(found.Select(hit => hit.Position), Is.EqualTo(whole.Select(hit => hit.Position)));
+            int lost = 0;
+            for (int i = 0; i < found.Length; i++)
+            {
+                bool isLost = found[i].NormalWorld.Equals(0) && !whole[i].NormalWorld.Equals(0);
+                lost += isLost ? 1 : 0;
+                Assert.That(isLost || found[i].NormalWorld.Equals(whole[i].NormalWorld));
+            }
+            int known = whole.Count(hit => !hit.NormalWorld.Equals(0));
+            Assert.That(known, Is.GreaterThan(20000));
+            Assert.That(lost, Is.InRange(1, known - 1), "in the nodes of one file of several");
         }
 
         [Test]
