@@ -1,3 +1,4 @@
+using FastPoints.Store;
 using FastPoints.Surface;
 using Unity.Physics;
 using Unity.Physics.Systems;
@@ -139,6 +140,39 @@ public sealed class PointCloudGroundTests : ScratchTests
         Put(0);
         Assert.That(Triangles().Any(t => math.abs(t.A.x) < 2 * Voxel && math.abs(t.A.y - 1) < 2 * Voxel), Is.True);
         Assert.That(Triangles().Select(t => (double)t.A.x), Is.All.InRange(-1.5, 0.5));
+    }
+
+    /// <summary>Nothing falls through while a body is made anew.</summary>
+    [Test]
+    public void OnUpdate_CloudEdited_BodiesStandUntilTheNextReplaceThem()
+    {
+        Put(-12);
+        var before = Triangles();
+        int bodies = Bodies().Length;
+        var hole = new EditOperation { Action = EditAction.Delete };
+        using (var folder = CloudFolder.Open(m_path))
+        {
+            var middle = new double3(500_000, 5_000_000, 100);
+            var (min, max) = (middle + new double3(-13, -1, -9), middle + new double3(-11, 1, 9));
+            hole.Boxes.Add(EditShape.Box(folder.Manifest.Grid, min, max));
+            EditJournal.Read(m_path, folder.Manifest.CloudId).Add(hole);
+        }
+        bool IsGone() => !Triangles().Any(t => math.max(math.abs(t.A.x + 12), math.abs(t.A.z)) < 0.5f);
+        try
+        {
+            Assert.That(IsGone(), Is.False);
+            Assert.That(() =>
+            {
+                m_world.Update();
+                Assert.That(Bodies(), Has.Length.EqualTo(bodies));
+                return IsGone();
+            }, Is.True.After(10_000, 1));
+            Assert.That(Triangles(), Has.Count.LessThan(before.Count));
+        }
+        finally
+        {
+            File.Delete(EditJournal.PathOf(m_path));
+        }
     }
 
     [Test]

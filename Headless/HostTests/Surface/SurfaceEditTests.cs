@@ -24,7 +24,7 @@ public sealed class SurfaceEditTests : ScratchTests
     {
         protected override IEnumerator<JobStep> Show(SurfaceCell cell, PackedSurface surface)
         {
-            cell.Shown = surface.Ints.ToArray();
+            Replace(cell, surface.Ints.ToArray());
             yield break;
         }
 
@@ -56,13 +56,15 @@ public sealed class SurfaceEditTests : ScratchTests
         });
     }
 
-    /// <summary>Goes on until all is made. By cell: its bytes, null for none.</summary>
+    /// <summary>Goes on until all is made, and what is made anew stands until then. By cell: its bytes, null for none.</summary>
     static Dictionary<int3, int[]> Rest(SurfaceUpdates updates, int cacheMegabytes = 0)
     {
         var watch = System.Diagnostics.Stopwatch.StartNew();
+        var standing = updates.Surface?.Cells.Made.ToArray() ?? [];
         do
         {
             updates.Update("a test", cacheMegabytes, 100);
+            Assert.That(standing.All(cell => cell.IsMade), Is.True);
             Thread.Yield();
         }
         while ((updates.Surface == null || !updates.IsCurrent || updates.Surface.IsMaking || updates.Surface.IsWriting ||

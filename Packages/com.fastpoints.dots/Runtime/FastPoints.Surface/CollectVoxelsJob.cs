@@ -13,7 +13,6 @@ namespace FastPoints.Surface
     {
         public const int PointsPerSlice = 100000; // A slice takes about a millisecond.
         public const int StepsPerVoxel = 1024; // Of a voxel's edge: what is in a voxel is summed in these.
-        const uint MaxPointsPerVoxel = 1u << 21; // More points would overflow the sums; their mean has long been found.
 
         public int First;
         public int End;
@@ -55,8 +54,6 @@ namespace FastPoints.Surface
                     surfelOf[at] = Memory.Voxels.Length;
                 }
                 var voxel = Memory.Voxels.GetUnsafePtr() + surfelOf[at] - 1;
-                if (voxel->Count == MaxPointsPerVoxel)
-                    continue;
                 voxel->Count++;
                 voxel->X += sx % StepsPerVoxel;
                 voxel->Y += sy % StepsPerVoxel;

@@ -105,7 +105,7 @@ namespace FastPoints.Surface
             var voxels = Memory.Voxels.GetUnsafePtr();
             var means = Memory.Means.GetUnsafePtr();
             for (int i = First; i < End; i++)
-                means[i] = new float3(voxels[i].X, voxels[i].Y, voxels[i].Z) *
+                means[i] = new float3((float)voxels[i].X, (float)voxels[i].Y, (float)voxels[i].Z) *
                     (1f / (CollectVoxelsJob.StepsPerVoxel * (float)voxels[i].Count)) + 0.5f / CollectVoxelsJob.StepsPerVoxel;
         }
     }

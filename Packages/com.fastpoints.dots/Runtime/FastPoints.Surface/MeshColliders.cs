@@ -54,7 +54,7 @@ namespace FastPoints.Surface
                 collider.sharedMesh = mesh;
                 collider.gameObject.layer = m_parent.gameObject.layer;
                 collider.gameObject.SetActive(isShown = true);
-                cell.Shown = collider;
+                Replace(cell, collider);
             }
             finally
             {

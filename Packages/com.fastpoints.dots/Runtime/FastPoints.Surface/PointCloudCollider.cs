@@ -62,6 +62,9 @@ namespace FastPoints.Surface
         public int CellCount => Surface == null ? 0 : Surface.Cells.Made.Count;
         public long TriangleCount => Surface == null ? 0 : Surface.Cells.Triangles;
 
+        /// <summary>Another number whenever a collider has come, changed or gone: then a navigation mesh of them is old.</summary>
+        public int Version => Surface == null ? 0 : Surface.Cells.Version;
+
         /// <summary>Whether the cells around a position of the world are made, with ground in them or without: hold players until
         /// then, after a start or a jump. Never where nothing that is followed is near.</summary>
         /// <param name="reach">How far around, in world units.</param>
@@ -71,7 +74,7 @@ namespace FastPoints.Surface
         public void Reopen() => m_updates?.Reopen();
 
 #if FASTPOINTS_AI
-        /// <summary>Adds the colliders of now as sources of a navigation mesh: build it anew when <see cref="CellCount"/>
+        /// <summary>Adds the colliders of now as sources of a navigation mesh: build it anew when <see cref="Version"/>
         /// changes.</summary>
         public void AddNavMeshSources(List<UnityEngine.AI.NavMeshBuildSource> sources)
         {

@@ -199,18 +199,20 @@ namespace FastPoints.Surface
         {
             var made = new NativeReference<BlobAssetReference<Collider>>(Allocator.Persistent);
             var job = new CreateColliderJob { Linear = m_linear, Surface = surface, Made = made }.Schedule();
+            bool isShown = false;
             try
             {
                 yield return job;
                 var entity = m_entities.CreateEntity(typeof(LocalToWorld), typeof(PhysicsCollider), typeof(PhysicsWorldIndex));
                 m_entities.SetComponentData(entity, new PhysicsCollider { Value = made.Value });
-                cell.Shown = (entity, made.Value);
+                isShown = true;
+                Replace(cell, (entity, made.Value));
                 Move(cell);
             }
             finally
             {
                 job.Complete();
-                if (cell.Shown == null && made.Value.IsCreated)
+                if (!isShown && made.Value.IsCreated)
                     made.Value.Dispose();
                 made.Dispose();
             }

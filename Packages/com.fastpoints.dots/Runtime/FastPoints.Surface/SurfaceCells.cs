@@ -13,7 +13,8 @@ namespace FastPoints.Surface
         public int Triangles = -1; // Known once it was made, even if there was no room for it.
         public object Shown; // Its collider; null while it is not made, or if it is empty.
         public double RetryAt; // It failed, and is not tried before.
-        public ulong Edits; // Where its triangles are known: the hash of the edits that reach its points.
+        public ulong Edits; // Where its triangles are known: the hash of the edits that reached its points.
+        public bool IsStale; // Other edits reach them now. What was made stands until it is made anew.
 
         public bool IsMade => Triangles == 0 || Shown != null;
     }
@@ -41,6 +42,8 @@ namespace FastPoints.Surface
         /// <summary>Cells that were made, empty ones too.</summary>
         public List<SurfaceCell> Made { get; } = new List<SurfaceCell>();
         public long Triangles { get; private set; }
+
+        public int Version { get; private set; } // Another whenever a cell was made or given up.
 
         public SurfaceCell Busy; // Is being made, and not forgotten meanwhile.
 
@@ -73,20 +76,24 @@ namespace FastPoints.Surface
             m_forgotten.Clear();
         }
 
-        /// <summary>The nearest that is not made; null if all are, or failed a moment ago.</summary>
+        /// <summary>The nearest that is not made, or stale; null if none is, or they failed a moment ago.</summary>
         public SurfaceCell Next(double now)
         {
             foreach (var cell in m_wanted)
-                if (!cell.IsMade && cell.RetryAt <= now)
+                if ((!cell.IsMade || cell.IsStale) && cell.RetryAt <= now)
                     return cell;
             return null;
         }
 
-        public void SetMade(SurfaceCell cell, int triangles)
+        public void SetMade(SurfaceCell cell, int triangles, ulong edits)
         {
-            (cell.Triangles, cell.RetryAt) = (triangles, 0);
+            if (Made.Contains(cell))
+                Triangles -= cell.Triangles;
+            else
+                Made.Add(cell);
+            (cell.Triangles, cell.Edits, cell.IsStale, cell.RetryAt) = (triangles, edits, false, 0);
             Triangles += triangles;
-            Made.Add(cell);
+            Version++;
             Trim();
         }
 
@@ -98,12 +105,12 @@ namespace FastPoints.Surface
             return known;
         }
 
-        /// <summary>To be made anew, from other points.</summary>
-        public void Forget(SurfaceCell cell)
+        /// <summary>If other edits reach it than when it was made, it is to be made anew.</summary>
+        public void SetEdits(SurfaceCell cell, ulong edits)
         {
-            if (cell.IsMade)
-                Drop(cell);
-            cell.Triangles = -1;
+            cell.IsStale = cell.IsMade && cell.Edits != edits;
+            if (!cell.IsMade && cell.Edits != edits)
+                cell.Triangles = -1;
         }
 
         /// <summary>Whether all cells so near to a place are made.</summary>
@@ -154,12 +161,13 @@ namespace FastPoints.Surface
         void Drop(SurfaceCell cell)
         {
             Made.Remove(cell);
+            Version++;
             Triangles -= cell.Triangles;
             if (cell.Triangles == 0)
                 cell.Triangles = -1;
             else
                 m_free(cell);
-            cell.Shown = null;
+            (cell.Shown, cell.IsStale) = (null, false);
         }
     }
 }

@@ -120,11 +120,8 @@ namespace FastPoints.Surface
         {
             m_points.Edits = m_edits = edited.Plan;
             for (int i = 0; i < edited.Cells.Count; i++)
-                if (edited.Cells[i].Edits != edited.EditsOfCell[i])
-                {
-                    Cells.Forget(edited.Cells[i]);
-                    m_isStale = true;
-                }
+                Cells.SetEdits(edited.Cells[i], edited.EditsOfCell[i]);
+            m_isStale = true;
         }
 
         // Any thread.
@@ -141,8 +138,16 @@ namespace FastPoints.Surface
             m_opened.Dispose();
         }
 
-        /// <summary>Coroutine: makes what is shown of a cell.</summary>
+        /// <summary>Coroutine: makes what is shown of a cell, and has it replace what was.</summary>
         protected abstract IEnumerator<JobStep> Show(SurfaceCell cell, PackedSurface surface);
+
+        /// <summary>In one frame, so that nothing falls through meanwhile.</summary>
+        protected void Replace(SurfaceCell cell, object shown)
+        {
+            if (cell.Shown != null)
+                Hide(cell);
+            cell.Shown = shown;
+        }
 
         protected abstract void Hide(SurfaceCell cell);
         protected abstract void Move(SurfaceCell cell);
@@ -157,15 +162,15 @@ namespace FastPoints.Surface
         {
             var (cache, edits) = (m_opened.Cache, m_edits);
             var surface = default(PackedSurface);
+            ulong hash = 0;
             try
             {
-                cell.Edits = 0;
                 if (cache != null || edits != null)
                     yield return JobStep.Of(PoolTask.Run(m_opened.Folder.FolderPath, () =>
                     {
-                        ulong hash = EditsIn(cell.At, edits);
-                        return (hash, cache == null ? default : cache.Read(cell.At, hash));
-                    }, read => (cell.Edits, surface) = read, unwanted => unwanted.Item2.Dispose()));
+                        ulong of = EditsIn(cell.At, edits);
+                        return (of, cache == null ? default : cache.Read(cell.At, of));
+                    }, read => (hash, surface) = read, unwanted => unwanted.Item2.Dispose()));
                 bool isStored = surface.Ints.IsCreated;
                 if (!isStored)
                 {
@@ -182,7 +187,9 @@ namespace FastPoints.Surface
                 int triangles = surface.Triangles.Length;
                 if (triangles > 0)
                     yield return JobStep.Of(Show(cell, surface));
-                Cells.SetMade(cell, triangles);
+                else
+                    Replace(cell, null);
+                Cells.SetMade(cell, triangles, hash);
                 while (!isStored && cache != null && IsWriting)
                     yield return default;
                 if (!isStored && cache != null)

@@ -8,9 +8,9 @@ namespace FastPoints.Surface
     {
         public int At; // Its index among all voxels of a cell with margins.
         public uint Count;
-        public uint X; // Of steps from its corner.
-        public uint Y;
-        public uint Z;
+        public ulong X; // Sums of steps from its corner: of any number of points, so that no order of theirs matters.
+        public ulong Y;
+        public ulong Z;
     }
 
     /// <summary>A piece of surface, in voxels from its own voxel's corner.</summary>
