@@ -36,6 +36,8 @@ public sealed class DrawStep
         LookSettings.RequireColor(options, folder.Manifest.Attributes, path);
         var draw = new DrawConvertedCloud(folder, options, budget);
         run.RunSteps(draw.Run(run.Progress));
+        if (draw.Refused != null)
+            run.Warn(draw.Refused.ToString());
         return new DrawStep
         {
             Points = draw.PointsDrawn,

@@ -95,12 +95,17 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
         try
         {
             LookSettings.RequireStreamable(options, folder.Manifest.Attributes, path);
+            var edits = EditPlan.Of(folder, out var refused);
             var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
             var ranges = plansByManifest && folder.Manifest.DisplayRanges != null ? DisplayRanges.Of(folder.Manifest)
-                : MeasureRanges(folder, options, cancellation);
+                : MeasureRanges(folder, edits, options, cancellation);
             var plan = new PicturePlan(options, ranges, transform);
             var source = new FolderSource(folder,
-                CloudLooks.PlanesFor(plan.Mode, !options.HiddenClasses.IsEmpty, plan.LitLevel > 0 && !options.Shadows));
+                CloudLooks.PlanesFor(plan.Mode, !options.HiddenClasses.IsEmpty, plan.LitLevel > 0 && !options.Shadows))
+            {
+                Edits = edits,
+                Refused = refused,
+            };
             return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)))
             {
                 Crs = folder.Manifest.Crs,
@@ -113,16 +118,13 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
         }
     }
 
-    static DisplayRanges MeasureRanges(CloudFolder folder, PictureOptions options, CancellationToken cancellation)
+    static DisplayRanges MeasureRanges(CloudFolder folder, EditPlan? edits, PictureOptions options,
+        CancellationToken cancellation)
     {
         var ranges = new DisplayRanges { Units = folder.Manifest.Crs.Units };
         var schema = LoadNodes.SchemaFor(folder, options.AttributesToMeasure());
-        using var selection = new NodeSelection(folder);
-        selection.Choose(null, PointsToPlanWith);
-        using var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
-        JobCoroutine.RunToEnd(LoadNodes.Run(folder, selection, batch, null), cancellation);
-        var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
-        JobCoroutine.RunToEnd(ranges.Measure(batch, transform, options.UpAxis), cancellation);
+        using var selection = new NodeSelection(folder) { Edits = edits };
+        JobCoroutine.RunToEnd(ConvertCloud.MeasureRanges(folder, selection, schema, options.UpAxis, ranges), cancellation);
         return ranges;
     }
 

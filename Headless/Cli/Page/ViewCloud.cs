@@ -111,11 +111,11 @@ sealed class ViewCloud
             return sampler.TakeSample().Points;
         }
         using var folder = CloudFolder.Open(path);
-        using var selection = new NodeSelection(folder);
+        using var selection = new NodeSelection(folder) { Edits = EditPlan.Of(folder, out _) };
         selection.Choose(null, max);
         var schema = LoadNodes.SchemaFor(folder, folder.Manifest.Attributes.Select(a => a.Name).ToArray());
         var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
-        run.RunSteps(LoadNodes.Run(folder, selection, batch, null));
+        run.RunSteps(selection.Load(batch, null));
         transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
         crs = folder.Manifest.Crs;
         return batch;

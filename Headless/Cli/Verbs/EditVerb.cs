@@ -74,12 +74,6 @@ public sealed class EditVerb : Verb
         Write(run.Out, cloud, journal, done, action.Name.TrimStart('-'));
     }
 
-    internal static void WarnIfEdited(IEnumerable<string> clouds, CliRun run)
-    {
-        foreach (string cloud in clouds.Where(c => !SourcePath.IsRemote(c) && File.Exists(EditJournal.PathOf(c))))
-            run.Warn(cloud + ": as it is stored, without its edits; the verb convert makes a cloud with them");
-    }
-
     EditOperation Read(ParseResult parsed, ConvertedReader reader)
     {
         var operation = new EditOperation

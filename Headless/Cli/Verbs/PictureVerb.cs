@@ -62,7 +62,6 @@ public sealed class PictureVerb : Verb
                 options.WidthPx + "x" + options.HeightPx, reference.Width + "x" + reference.Height);
 
         // Drawn as in a game, on the CPU or the GPU.
-        EditVerb.WarnIfEdited(clouds, run);
         if (clouds.Any(CloudFolder.IsCloud))
             FlightCloud.SetSize(options, clouds);
         var result = parsed.GetValue(m_gpu) ? DrawStep.RunOnGpu(clouds, options, budget, run)

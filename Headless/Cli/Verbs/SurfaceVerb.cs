@@ -46,7 +46,6 @@ public sealed class SurfaceVerb : Verb
         if (!CloudFolder.IsCloud(cloud))
             throw new PointCloudException(FailureCode.Unsupported, cloud, -1,
                 "wanted a converted cloud: ./fastpoints convert makes one");
-        EditVerb.WarnIfEdited([cloud], run);
         using var reader = ConvertedReader.Open(cloud);
         using var filter = FilterOf(parsed, reader);
         using var step = new SurfaceStep(cloud, grid, filter, run);

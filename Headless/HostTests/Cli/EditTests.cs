@@ -41,6 +41,21 @@ public sealed class EditTests : ScratchTests
         Assert.That(listed.GetProperty("pointsChanged").GetInt64(), Is.EqualTo(changed));
     }
 
+    [Test]
+    public void Picture_OfAnEditedCloud_HasWhatIsLeftOrSaysWhyNot()
+    {
+        CliCall Draw() => CliCall.Of("picture", m_cloud, "-o", Scratch["p.png"], "--size", "64x48", "--force", "--json", "-");
+        static long PointsOf(CliCall call) => call.Json.GetProperty("points").GetInt64();
+        long changed = Changed(Edit("--delete", "--clip", Box));
+        Assert.That(PointsOf(Draw()), Is.EqualTo(Points - changed).And.LessThan(Points));
+        byte[] edits = File.ReadAllBytes(m_cloud + ".edits");
+        edits[0] ^= 1;
+        File.WriteAllBytes(m_cloud + ".edits", edits);
+        var refused = Draw();
+        Assert.That((refused.Status, PointsOf(refused)), Is.EqualTo((0, (long)Points)));
+        Assert.That(refused.Error, Does.Contain(".edits"));
+    }
+
     [TestCase("--where", "Intensity > 20000 && Z > 120"), TestCase("--classes", "2,5"), TestCase("--returns", "first")]
     public void Delete_ByAFilter_IsWhatTheFilterOfExportHas(string option, string value)
     {

@@ -37,6 +37,9 @@ namespace FastPoints.Picture
         public int NodesDrawn { get; private set; }
         internal PicturePlan Plan { get; private set; }
 
+        /// <summary>Why the cloud's edits are not drawn; null if they are, or if it has none.</summary>
+        public PointCloudException Refused { get; private set; }
+
         /// <summary>Null until the work has ended.</summary>
         public RgbaImage Image { get; private set; }
 
@@ -50,6 +53,8 @@ namespace FastPoints.Picture
                 : m_options.NewRanges(m_folder.Manifest.Crs.Units);
             using (var selection = new NodeSelection(m_folder))
             {
+                yield return JobStep.Of(PoolTask.Run(m_folder.FolderPath, () => (EditPlan.Of(m_folder, out var e), e),
+                    read => (selection.Edits, Refused) = read));
                 if (!PlansByManifest)
                     yield return JobStep.Of(ConvertCloud.MeasureRanges(m_folder, selection, schema, m_options.UpAxis, ranges));
                 Plan = new PicturePlan(m_options, ranges, transform);
@@ -64,7 +69,7 @@ namespace FastPoints.Picture
                 selection.Choose(view, m_budget,
                     canvas.Shadows == null ? (StreamView?)null : canvas.ShadowMapProjection.ViewFor(view));
                 using var batch = new PointBatch(schema, selection.PointCountOrThrow, Allocator.Persistent);
-                yield return JobStep.Of(LoadNodes.Run(m_folder, selection, batch, progress));
+                yield return JobStep.Of(selection.Load(batch, progress));
                 NodesDrawn = selection.NodeCount;
                 PointsDrawn = batch.Count;
                 progress?.Begin("draw");

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using FastPoints.Store;
 using FastPoints.Streaming;
 using Unity.Collections;
@@ -15,7 +16,11 @@ namespace FastPoints.Picture
 
         readonly LodSelector m_selector = new LodSelector();
         NativeList<HierarchyPage> m_pages = new NativeList<HierarchyPage>(Allocator.Persistent);
+        Dictionary<int, List<int>> m_stored; // While it loads: the chosen nodes that edits do not reach, by page.
         bool m_hasView;
+
+        /// <summary>Points are read as these leave them; null as stored.</summary>
+        public EditPlan Edits { get; set; }
 
         public NodeSelection(CloudFolder folder) : base(folder)
         {
@@ -90,6 +95,35 @@ namespace FastPoints.Picture
             foreach (var chosen in m_selector.Selected)
                 AddWithLeaves(chosen.Page, chosen.Node);
             SortNodes();
+        }
+
+        public override List<int> NodesOf(int page) => m_stored != null ? m_stored[page] : base.NodesOf(page);
+
+        public override IEnumerator<JobStep> Load(PointBatch batch, StageProgress progress)
+        {
+            using var points = Edits != null ? new EditedPoints(Edits, Folder, batch.Schema) : null;
+            var edited = new HashSet<EditedNode>();
+            bool IsStored(int page, int index)
+            {
+                if (!(points?.Find(page, index, TableOf(page)) is EditedNode node))
+                    return true;
+                edited.Add(node);
+                return false;
+            }
+            var stored = new Dictionary<int, List<int>>();
+            foreach (int page in Pages)
+                stored.Add(page, NodesOf(page).FindAll(index => IsStored(page, index)));
+            m_stored = stored;
+            try
+            {
+                yield return JobStep.Of(base.Load(batch, progress));
+            }
+            finally
+            {
+                m_stored = null;
+            }
+            foreach (var node in edited)
+                yield return JobStep.Of(points.Add(node, batch));
         }
 
         public override void Dispose()

@@ -62,7 +62,7 @@ namespace FastPoints.Surface
         public int CellCount => Surface == null ? 0 : Surface.Cells.Made.Count;
         public long TriangleCount => Surface == null ? 0 : Surface.Cells.Triangles;
 
-        /// <summary>Another number whenever a collider has come, changed or gone: then a navigation mesh of them is old.</summary>
+        /// <summary>Another number whenever a collider was added, changed or removed.</summary>
         public int Version => Surface == null ? 0 : Surface.Cells.Version;
 
         /// <summary>Whether the cells around a position of the world are made, with ground in them or without: hold players until

@@ -3,10 +3,7 @@ using System.Collections.Generic;
 using FastPoints.Drawing;
 using FastPoints.Store;
 using FastPoints.Streaming;
-using Unity.Burst;
 using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
-using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Surface
@@ -19,8 +16,7 @@ namespace FastPoints.Surface
         readonly SurfaceGrid m_grid;
         readonly ClassMask m_hidden;
         readonly PointSchema m_schema;
-        EditedNodes m_edited;
-        EditedTranscoder m_transcoder;
+        EditedPoints m_edited;
 
         /// <param name="hidden">Points of these classes are left out.</param>
         /// <param name="metresOfUnit">Along each axis; null for the cloud's own.</param>
@@ -51,14 +47,8 @@ namespace FastPoints.Surface
         {
             set
             {
-                var planes = new List<int> { StoreLayout.PositionPlane };
-                for (int p = 1; p < Folder.Layout.Planes.Count; p++)
-                    if (Folder.Layout.Planes[p].IsSource && ColumnsOf(p).Count > 0)
-                        planes.Add(p);
-                m_transcoder?.Dispose();
-                m_transcoder = null;
-                using var streamed = new NativeArray<int>(planes.ToArray(), Allocator.Persistent);
-                m_edited = value == null ? null : new EditedNodes(value, Folder, streamed);
+                m_edited?.Dispose();
+                m_edited = value == null ? null : new EditedPoints(value, Folder, m_schema);
             }
         }
 
@@ -104,7 +94,7 @@ namespace FastPoints.Surface
                 {
                     // A leaf that is inlined is read with its parent.
                     var table = TableOf(page);
-                    if (m_edited?.Find(page, table.Nodes[index].PlaneNode, table.View) is EditedNode node)
+                    if (m_edited?.Find(page, index, table) is EditedNode node)
                         edited.Add(node);
                     else
                         nodes.Add((page, index));
@@ -134,72 +124,16 @@ namespace FastPoints.Surface
 
         IEnumerator<JobStep> ReadEdited(EditedNode node, Func<PointBatch, IEnumerator<JobStep>> take)
         {
-            m_transcoder ??= new EditedTranscoder(m_edited);
-            PointBatch batch = null;
-            var unpacked = default(JobHandle);
-            m_transcoder.Begin(node);
-            try
-            {
-                yield return m_transcoder.Done;
-                m_transcoder.EndOrThrow();
-                int blocks = 0, points = 0;
-                m_transcoder.CorrectCounts(ref blocks, ref points);
-                batch = new PointBatch(m_schema, Math.Max(1, points), Allocator.Persistent) { Count = points };
-                unpacked = Unpack(node, blocks, batch);
-                yield return unpacked;
-                if (Prepare != null)
-                    yield return JobStep.Of(Prepare(batch));
-                yield return JobStep.Of(take(batch));
-            }
-            finally
-            {
-                m_transcoder.End(out _);
-                unpacked.Complete();
-                batch?.Dispose();
-            }
-        }
-
-        JobHandle Unpack(EditedNode node, int blocks, PointBatch batch)
-        {
-            var corner = node.Corner - Folder.Manifest.Root.Corner;
-            var unpacked = default(JobHandle);
-            for (int p = 0; p < m_edited.StreamedPlanes; p++)
-                foreach (var (column, to) in ColumnsOf(m_edited.Planes[p]))
-                    unpacked = new UnpackColumnJob
-                    {
-                        Values = new PlaneValues
-                        {
-                            Column = column,
-                            Stored = p == 0 ? default
-                            : Folder.Layout.Columns[Folder.Layout.Planes[m_edited.Planes[p]].FirstColumn + column]
-                        },
-                        Plane = m_transcoder.PlaneOf(p),
-                        Shape = Folder.Layout.ShapeOf(m_edited.Planes[p], node.IsWide),
-                        BlockCount = blocks,
-                        IsPosition = p == 0,
-                        Corner = column == 0 ? corner.X : column == 1 ? corner.Y : corner.Z,
-                        To = batch.Column(to),
-                        Batch = batch.Bytes,
-                    }.Schedule(unpacked);
-            return unpacked;
-        }
-
-        // Of a plane, and where they are in a batch.
-        List<(int Column, int To)> ColumnsOf(int plane)
-        {
-            var columns = new List<(int, int)>();
-            var of = Folder.Layout.Planes[plane];
-            for (int c = 0; c < of.ColumnCount; c++)
-                if (m_schema.IndexOf(Folder.Layout.NameOfColumn(of, of.FirstColumn + c)) is int to && to >= 0)
-                    columns.Add((c, to));
-            for (int axis = 0; plane == StoreLayout.PositionPlane && axis < 3; axis++)
-                columns.Add((axis, axis));
-            return columns;
+            using var batch = new PointBatch(m_schema, node.MaxPoints, Allocator.Persistent);
+            yield return JobStep.Of(m_edited.Add(node, batch));
+            if (Prepare != null)
+                yield return JobStep.Of(Prepare(batch));
+            yield return JobStep.Of(take(batch));
         }
 
         public override void Dispose()
         {
-            m_transcoder?.Dispose();
+            m_edited?.Dispose();
             base.Dispose();
         }
 
@@ -210,39 +144,6 @@ namespace FastPoints.Surface
             var steps = math.clamp(metres / Metres, -(1L << 60), 1L << 60);
             steps = isEnd ? math.ceil(steps) + 1 : math.floor(steps);
             return Folder.Manifest.Root.Corner + new Grid3((long)steps.x, (long)steps.y, (long)steps.z);
-        }
-    }
-
-    /// <summary>A column of what edits leave of a node.</summary>
-    [BurstCompile]
-    internal unsafe struct UnpackColumnJob : IJob
-    {
-        [ReadOnly] public NativeArray<byte> Plane;
-        public PlaneShape Shape;
-        public PlaneValues Values; // Without its view.
-        public int BlockCount;
-        public bool IsPosition;
-        public long Corner;
-        public PointColumn To;
-        public NativeArray<byte> Batch;
-
-        public void Execute()
-        {
-            var values = Values;
-            values.View = new PlaneView(Plane.GetUnsafeReadOnlyPtr(), Shape, BlockCount);
-            long* steps = stackalloc long[PlaneShape.MaxPointsPerBlock];
-            for (int b = 0, at = 0; b < BlockCount; b++)
-            {
-                int count = values.View.PointsOf(b);
-                byte* to = To.At((byte*)Batch.GetUnsafePtr(), at);
-                if (IsPosition)
-                    values.View.UnpackPositions(b, values.Column, Corner, 0, count, steps);
-                else
-                    values.Unpack(b, 0, count, to);
-                for (int i = 0; i < count && IsPosition; i++)
-                    ((double*)to)[i] = steps[i];
-                at += count;
-            }
         }
     }
 }

@@ -193,7 +193,7 @@ namespace FastPoints.Build
             nodes.ChooseEvenly(PointsToMeasure);
             var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
             using var batch = new PointBatch(schema, nodes.PointCountOrThrow, Allocator.Persistent);
-            yield return JobStep.Of(LoadNodes.Run(folder, nodes, batch, null));
+            yield return JobStep.Of(nodes.Load(batch, null));
             yield return JobStep.Of(ranges.Measure(batch, transform, upAxis));
         }
 

@@ -27,7 +27,7 @@ namespace FastPoints.Store
         public IEnumerable<int> Pages => m_nodesOfPage.Keys;
 
         /// <summary>Chosen nodes of a page, in its order.</summary>
-        public List<int> NodesOf(int page) => m_nodesOfPage[page];
+        public virtual List<int> NodesOf(int page) => m_nodesOfPage[page];
 
         public NodeTable TableOf(int page) => page == 0 ? Folder.Root : m_tables[page];
 
@@ -129,6 +129,11 @@ namespace FastPoints.Store
             }
             return true;
         }
+
+        /// <summary>Coroutine: reads the chosen nodes into a batch with room for <see cref="Points"/>: see
+        /// <see cref="LoadNodes"/>.</summary>
+        public virtual IEnumerator<JobStep> Load(PointBatch batch, StageProgress progress) =>
+            LoadNodes.Run(Folder, this, batch, progress);
 
         public virtual void Dispose() => DropTables(-1);
 

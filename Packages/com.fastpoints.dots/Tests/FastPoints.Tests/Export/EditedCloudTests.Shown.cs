@@ -5,6 +5,7 @@ using System.Linq;
 using System.Threading;
 using FastPoints.Drawing;
 using FastPoints.Export;
+using FastPoints.Picture;
 using FastPoints.Queries;
 using FastPoints.Store;
 using FastPoints.Streaming;
@@ -305,19 +306,28 @@ namespace FastPoints.Tests.Export
         }
 
         [Test]
-        public void StoredCells_OfAnEditedCloud_ReadWhatIsLeft([Values(1, 3)] int seed)
+        public void StoredCellsAndPictures_OfAnEditedCloud_ReadWhatIsLeft([Values(1, 3)] int seed)
         {
             ConvertSeeded(zScale: seed == 3 ? 0.1 : 0.01, cellsLog2: 4);
             var points = Edit(seed, 12);
             using var folder = CloudFolder.Open(Cloud);
-            var read = new List<Point>();
+            var edits = EditPlan.Of(Cloud, folder.Manifest);
+            var (read, pictured) = (new List<Point>(), new List<Point>());
             using (var cells = new SurfacePointReader(folder, new SurfaceGrid(1, 40, 0), default, null, s_names)
             {
                 PointsPerBatch = 500,
-                Edits = EditPlan.Of(Cloud, folder.Manifest),
+                Edits = edits,
             })
                 JobCoroutine.RunToEnd(cells.ReadAll(batch => TakeBatch(batch, folder.Manifest.Root.Corner, read)));
             Assert.That(Shown(read), Is.EqualTo(Shown(points)));
+
+            using var selection = new NodeSelection(folder) { Edits = edits };
+            selection.ChooseEvenly(long.MaxValue);
+            using var chosen = new PointBatch(LoadNodes.SchemaFor(folder, s_names), selection.PointCountOrThrow,
+                Allocator.Persistent);
+            JobCoroutine.RunToEnd(selection.Load(chosen, null));
+            AddBatch(chosen, folder.Manifest.Root.Corner, pictured);
+            Assert.That(Shown(pictured), Is.EqualTo(Shown(points)));
         }
 
         static IEnumerator<JobStep> TakeBatch(PointBatch batch, Grid3 corner, List<Point> read)

@@ -179,7 +179,8 @@ namespace FastPoints.Tests.Queries
             float3 Placed(ushort code)
             {
                 var normal = (double3)OctahedralNormal.Decode(code);
-                var along = math.normalize(math.cross(normal, math.abs(normal.z) < 0.9 ? new double3(0, 0, 1) : new double3(1, 0, 0)));
+                var other = math.abs(normal.z) < 0.9 ? new double3(0, 0, 1) : new double3(1, 0, 0);
+                var along = math.normalize(math.cross(normal, other));
                 var across = math.cross(math.mul(linear, along), math.mul(linear, math.cross(normal, along)));
                 return (float3)(math.normalize(across) * (math.dot(across, math.mul(linear, normal)) < 0 ? -1 : 1));
             }

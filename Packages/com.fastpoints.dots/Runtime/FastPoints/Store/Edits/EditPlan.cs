@@ -82,6 +82,21 @@ namespace FastPoints.Store
             return operations.Count > 0 ? new EditPlan(operations, manifest) : null;
         }
 
+        // Those of a finished cloud; null too where they are refused: then it is shown as stored.
+        public static EditPlan Of(CloudFolder folder, out PointCloudException refused)
+        {
+            refused = null;
+            try
+            {
+                return folder.IsUnfinished ? null : Of(folder.FolderPath, folder.Manifest);
+            }
+            catch (PointCloudException e)
+            {
+                refused = e;
+                return null;
+            }
+        }
+
         public EditReaches Reaches { get; }
 
         // How many points of a node and its inlined leaves the last operation surely changes: none or all, or perhaps some.

@@ -162,18 +162,10 @@ namespace FastPoints.Store
             return look;
         }
 
-        // A cloud is shown without edits that are damaged, or of another cloud.
         static Edited EditsOf(CloudFolder folder)
         {
-            try
-            {
-                var plan = folder.IsUnfinished ? null : EditPlan.Of(folder.FolderPath, folder.Manifest);
-                return new Edited { Plan = plan, Hash = plan?.Hash ?? 0 };
-            }
-            catch (PointCloudException refused)
-            {
-                return new Edited { Refused = refused };
-            }
+            var plan = EditPlan.Of(folder, out var refused);
+            return new Edited { Plan = plan, Hash = plan?.Hash ?? 0, Refused = refused };
         }
 
         void Keep(CloudFolder folder, Edited edits)

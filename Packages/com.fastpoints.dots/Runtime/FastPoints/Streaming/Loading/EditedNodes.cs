@@ -14,6 +14,8 @@ namespace FastPoints.Streaming
         public bool IsWide;
         public int BlockCount;
 
+        public int MaxPoints => BlockCount * PlaneShape.MaxPointsPerBlock;
+
         public bool Equals(EditedNode other) => Number == other.Number;
 
         public override int GetHashCode() => Number;
