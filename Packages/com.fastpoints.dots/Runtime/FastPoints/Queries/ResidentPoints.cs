@@ -63,6 +63,8 @@ namespace FastPoints.Queries
             var nodes = (ResidentNode*)Nodes.GetUnsafeReadOnlyPtr();
             for (int c = 0; c < Clouds.Length; c++)
             {
+                if (!clouds[c].Placement.IsValid)
+                    continue;
                 var space = new QuerySpace(query, clouds[c].Placement);
                 var search = new NodeSearch
                 {

@@ -441,6 +441,15 @@ namespace FastPoints.Tests.Queries
                 Assert.That(stream.CountInFullDetail(query), Is.EqualTo(wanted), query.Shape.ToString());
                 Assert.That(stream.FindInFullDetail(query, 4), Has.Length.EqualTo(Math.Min(4, wanted)));
             }
+            if (points == 0)
+                return;
+            // A cloud without volume is never hit.
+            var flat = stream.Stream.Clouds[stream.Cloud].Placement;
+            flat.Linear.c2 = 0;
+            stream.Stream.Clouds[stream.Cloud].Placement = flat;
+            stream.Queries.Update();
+            Assert.That(stream.Queries.Resident.Count(PointQuery.Nearest(default)), Is.Zero);
+            Assert.That(stream.CountInFullDetail(PointQuery.Nearest(default)), Is.Zero);
         }
 
         [TestCase("lion.laz"), TestCase("ca13_d.laz")]
