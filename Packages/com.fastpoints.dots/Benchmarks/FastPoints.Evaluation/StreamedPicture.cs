@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Drawing;
 using FastPoints.Picture;
+using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Jobs;
 using Unity.Mathematics;
@@ -109,6 +110,34 @@ namespace FastPoints.Evaluation
                 drawn = JobHandle.CombineDependencies(drawn,
                     m_clouds[cloud].ScheduleDraw(blocksOfCloud[cloud], camera, canvas, isPixels));
             return drawn;
+        }
+    }
+
+    /// <summary>What is streamed for pictures of a plan.</summary>
+    internal static class PlannedViews
+    {
+        // Around what a camera sees of the stream's clouds; without texels where nothing is shaded.
+        public static ShadowMapProjection ShadowFrameFor(this PicturePlan plan, StreamContext stream, in Camera camera)
+        {
+            if (!plan.Options.Shadows)
+                return default;
+            var frame = plan.NewShadowFrame();
+            frame.Add(stream, camera.ToStreamView(plan.Options.WidthPx, plan.Options.HeightPx));
+            frame.Fit();
+            return frame;
+        }
+
+        // The camera's view, then the light's. There is room for both.
+        public static NativeArray<StreamView> ViewsFor(this PicturePlan plan, StreamContext stream, in Camera camera,
+            NativeArray<StreamView> views)
+        {
+            views[0] = camera.ToStreamView(plan.Options.WidthPx * plan.Options.SamplesPerEdge,
+                plan.Options.HeightPx * plan.Options.SamplesPerEdge);
+            var frame = plan.ShadowFrameFor(stream, camera);
+            if (!(frame.TexelWorld > 0))
+                return views.GetSubArray(0, 1);
+            views[1] = frame.ViewFor(views[0]);
+            return views;
         }
     }
 }

@@ -54,9 +54,6 @@ namespace FastPoints.Export
             m_chosen = new NativeArray<int>(MakeRecordsJob.PointsPerSlice, Allocator.Persistent);
         }
 
-        /// <summary>Whether files of this name can be written.</summary>
-        public static bool CanWrite(string path) => Path.GetExtension(path).ToLowerInvariant() is ".las" or ".laz" or ".ply";
-
         /// <summary>Coroutine. The file is there, whole, when it has ended; cancelled or failed, it leaves
         /// nothing.</summary>
         /// <param name="path">Its ending says what is written.</param>
