@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Drawing;
 using FastPoints.Streaming;
-using Unity.Collections;
 using Unity.Mathematics;
 
 namespace FastPoints.Picture
