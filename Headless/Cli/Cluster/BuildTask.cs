@@ -45,7 +45,7 @@ static class BuildTask
         var cubes = task.Plan.ReadCubes();
         using var sources = TaskSources.Open(task, json);
         var result = task.Make(output => BucketBuild.Run(task.Plan.Whole, cubes, sources.Reader, sources.Blocks, output));
-        string records = task.PartPath(BuildFiles.BucketName);
+        string records = task.PartPath(BucketBuild.BucketName);
         var hashed = Array.ConvertAll(BucketBuild.ReadRanges(Path.GetDirectoryName(records)!), r => new TaskMarker.Range(r.Part,
             r.Count, r.Offset, r.Bytes, TaskRun.HashOf(records, r.Offset, r.Bytes)));
         var planned = json.Longs("builds").ToHashSet();
@@ -68,7 +68,7 @@ sealed class BucketRecords
         m_store = store;
         foreach (var bucket in buckets)
             foreach (var range in bucket.Ranges.Where(r => r.Task == task))
-                m_ranges.Add((TaskStore.WorkFolder + bucket.Task + Path.GetExtension(BuildFiles.BucketName), range));
+                m_ranges.Add((TaskStore.WorkFolder + bucket.Task + Path.GetExtension(BucketBuild.BucketName), range));
     }
 
     /// <summary>Those that builds set aside, in whole files.</summary>

@@ -29,7 +29,7 @@ sealed class TaskSources : IDisposable
         var paths = sources.ConvertAll(s => S3Addresses.IsS3(s.Text("path")) ? S3Addresses.Add(s.Text("path")) : s.Text("path"));
         var options = task.Cloud.ReadOptions(task.Parsed);
         var reader = task.Plan.Tiles == null ? PointReaders.Open(paths[0], options)
-            : PointReaders.OpenSome(paths, task.Plan.Tiles, options);
+            : TiledReader.Open(paths, path => PointReaders.OpenComplete(path, options), task.Plan.Tiles);
         try
         {
             task.Run.RunSteps(reader.IndexBlocks());

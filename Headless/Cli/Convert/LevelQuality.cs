@@ -70,8 +70,7 @@ namespace FastPoints.Cli.Convert
 
         static unsafe void Load(CloudFolder folder, int first, int last, List<double3> points, CliRun run)
         {
-            using var selection = new CloudSelection(folder);
-            selection.ChooseSampled(first, last);
+            using var selection = new SampledNodes(folder, first, last);
             if (selection.Points == 0)
                 return;
             var schema = LoadNodes.SchemaFor(folder);

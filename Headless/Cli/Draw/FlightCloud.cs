@@ -69,7 +69,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
             Picture = options,
             Points = (int)Math.Min(stream.Settings.Selection.PointBudget, int.MaxValue),
         };
-        SampleReader sample;
+        SampleReader? sample = null;
         DisplayRanges ranges;
         using (reader)
         using (var preview = new PreviewPicture(reader, settings))
@@ -77,9 +77,9 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
             JobCoroutine.RunToEnd(preview.TakeSample(new StageProgress()), cancellation);
             JobCoroutine.RunToEnd(preview.PlanPicture(), cancellation);
             ranges = preview.Ranges;
-            sample = new SampleReader(preview.Sample, reader.Info.Path);
+            JobCoroutine.RunToEnd(SampleReader.Copy(preview.Sample, reader.Info.Path, copied => sample = copied), cancellation);
         }
-        var source = new TreeSource(sample,
+        var source = new TreeSource(sample!,
             CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty, false));
         return new FlightCloud(new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner)), ranges,
             stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)))

@@ -55,7 +55,7 @@ static class OutputNames
     public static void RequireExportName(string path)
     {
         RefuseName(path);
-        if (!ExportCloud.CanWrite(path))
+        if (Path.GetExtension(path).ToLowerInvariant() is not (".las" or ".laz" or ".ply"))
             throw new UsageException("--output: wanted a name that ends in .las, .laz, .copc.laz or .ply, got " + path);
         if (Directory.Exists(path))
             throw new UsageException("--output: this is a folder: " + path);

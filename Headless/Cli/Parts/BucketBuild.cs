@@ -4,9 +4,13 @@ namespace FastPoints.Cli.Parts;
 /// together, so that parts read these and no source.</summary>
 sealed class BucketBuild : PartStages
 {
+    public const string BucketName = "part.bucket";
+
+    const string RangesName = "ranges.bin"; // Which of a bucket's records are of which part. It stays with the folder.
+
     BucketBuild(BuildContext build, PartFilter selection) : base(build, selection) { }
 
-    /// <summary>Coroutine. The folder then has the records, <see cref="BuildFiles.BucketName"/>, what is known of them, and
+    /// <summary>Coroutine. The folder then has the records, <see cref="BucketName"/>, what is known of them, and
     /// their ranges, for <see cref="ReadRanges"/>.</summary>
     /// <param name="whole">All of the cloud.</param>
     /// <param name="cubes">Of the parts, which fill its cube, in Morton order.</param>
@@ -34,7 +38,7 @@ sealed class BucketBuild : PartStages
     /// number behind the last.</summary>
     public static BucketRange[] ReadRanges(string folder)
     {
-        string path = Path.Combine(folder, BuildFiles.RangesName);
+        string path = Path.Combine(folder, RangesName);
         using var bytes = StoreFile.Read(path, 0, StoreFile.SizeOf(path), Allocator.Persistent);
         return MemoryMarshal.Cast<byte, BucketRange>(bytes.ToArray()).ToArray();
     }
@@ -50,24 +54,24 @@ sealed class BucketBuild : PartStages
     {
         var chunks = Scatter.Chunks;
         long written = 0;
-        Build.Folder.Truncate(BuildFiles.BucketName, 0);
+        Build.Folder.Truncate(BucketName, 0);
         for (int i = 0; i < ranges.Count; i++)
         {
             var range = ranges[i];
-            yield return JobStep.Of(Chunks.Write(BuildFiles.BucketName, chunks[range.Part], written,
+            yield return JobStep.Of(Chunks.Write(BucketName, chunks[range.Part], written,
                 bytes => range.Bytes = bytes));
             range.Offset = written;
             written += range.Bytes;
             ranges[i] = range;
         }
-        yield return JobStep.Of(CloudFolderWriter.Await(Build.Folder.SyncRecords(BuildFiles.BucketName)));
+        yield return JobStep.Of(CloudFolderWriter.Await(Build.Folder.SyncRecords(BucketName)));
     }
 
     IEnumerator<JobStep> JoinFiles(List<BucketRange> ranges)
     {
         var files = Build.Files;
-        string path = Build.Folder.PathOf(BuildFiles.BucketName);
-        return Build.Folder.Run(BuildFiles.BucketName, _ =>
+        string path = Build.Folder.PathOf(BucketName);
+        return Build.Folder.Run(BucketName, _ =>
         {
             using var to = FileChanges.OpenToWrite(path, FileMode.Create);
             foreach (var range in ranges)
@@ -90,7 +94,7 @@ sealed class BucketBuild : PartStages
             offset += bytes;
         }
         yield return JobStep.Of(Build.Files == null ? WriteRecords(ranges) : JoinFiles(ranges));
-        yield return JobStep.Of(Build.Folder.Write(BuildFiles.RangesName,
+        yield return JobStep.Of(Build.Folder.Write(RangesName,
             MemoryMarshal.AsBytes<BucketRange>(ranges.ToArray()).ToArray()));
         var manifest = Build.Part.ToManifest(Build.Settings.Sampler);
         using var store = new NativeStoreLayout(manifest.CreateLayout());

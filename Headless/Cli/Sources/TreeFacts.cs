@@ -14,7 +14,7 @@ public sealed class TreeFacts
     internal static TreeFacts Of(SourceTree tree) => new()
     {
         Nodes = tree.NodeCount,
-        NodesWithoutPoints = tree.NodesWithoutPoints(),
+        NodesWithoutPoints = tree.AsArray().Count(n => n.Block < 0),
         Pages = tree.PageCount,
         IsHierarchyRead = tree.IsHierarchyRead,
         Levels = TreeLevel.Of(tree),

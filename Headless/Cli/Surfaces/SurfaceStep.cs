@@ -48,7 +48,9 @@ sealed class SurfaceStep : IDisposable
     {
         var found = new HashSet<int3>();
         m_run.Progress.Begin("cells");
-        yield return JobStep.Of(m_cells.ReadAll(batch => FindCells(batch, found)));
+        var root = m_folder.Manifest.Root;
+        yield return JobStep.Of(m_cells.Read(root.Corner, root.Corner + new Grid3(root.Side, root.Side, root.Side),
+            batch => FindCells(batch, found)));
         m_run.Progress.Begin("surface");
         using var builder = new SurfaceBuilder(m_grid, new float3(0, 0, 1));
         var cells = found.OrderBy(c => c.z).ThenBy(c => c.y).ThenBy(c => c.x).ToList();

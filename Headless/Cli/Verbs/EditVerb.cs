@@ -66,12 +66,21 @@ public sealed class EditVerb : Verb
         }
         else if (action != m_list)
         {
-            done = EditCloud.Step(cloud, reader.Manifest.CloudId, action == m_undo)
+            done = Step(cloud, reader.Manifest.CloudId, action == m_undo)
                 ?? throw new UsageException(action.Name + ": there is nothing to " + action.Name.TrimStart('-'));
         }
         var journal = EditJournal.Read(cloud, reader.Manifest.CloudId);
         run.WriteKeys = json => WriteKeys(json, journal, done);
         Write(run.Out, cloud, journal, done, action.Name.TrimStart('-'));
+    }
+
+    /// <returns>The last operation, which is undone or done again; null if there is none.</returns>
+    static EditOperation? Step(string cloud, ulong cloudId, bool isUndo)
+    {
+        using var held = EditCloud.Lock(cloud);
+        var journal = EditJournal.Read(cloud, cloudId);
+        return isUndo ? journal.TryUndo() ? journal.Operations[journal.Count] : null
+            : journal.TryRedo() ? journal.Operations[journal.Count - 1] : null;
     }
 
     EditOperation Read(ParseResult parsed, ConvertedReader reader)
@@ -97,7 +106,7 @@ public sealed class EditVerb : Verb
             double[] of = PictureSettings.ParseNumbers(sphere);
             if (of.Length != 4 || of[3] < 0)
                 throw new UsageException("--sphere: wanted x,y,z,R, got " + sphere);
-            operation.Balls.Add(EditShape.Ball(grid, new double3(of[0], of[1], of[2]), of[3]));
+            operation.Balls.Add(Ball(grid, new double3(of[0], of[1], of[2]), of[3]));
         }
         using var filter = m_filter.Read(parsed, reader);
         if (filter?.EveryNth > 1)
@@ -108,6 +117,20 @@ public sealed class EditVerb : Verb
         AddPolygons(operation, filter?.Polygons, grid);
         return EditPlan.FindProblem(operation, reader.Manifest) is { } problem
             ? throw new PointCloudException(FailureCode.Unsupported, reader.Info.ShownPath, -1, problem) : operation;
+    }
+
+    // The centre lies on the nearest grid position.
+    internal static EditShape Ball(in CloudGrid grid, double3 center, double radius)
+    {
+        var ball = new EditShape
+        {
+            A = EditShape.GridOf(math.round((center - grid.Origin) / grid.Step)),
+            B = EditShape.GridOf(math.floor(radius / grid.Step * (1 + 4.5e-16))),
+            IsBall = true,
+        };
+        if (!ball.IsRound)
+            ball.B = Grid3.Max(ball.B, new Grid3(1, 1, 1));
+        return ball;
     }
 
     static void AddLasso(EditOperation operation, CloudGrid grid, string lasso, bool hasPolygons)

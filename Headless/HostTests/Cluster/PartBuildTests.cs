@@ -212,7 +212,7 @@ class PartBuildTests : FolderTests
             using var to = File.Create(path);
             for (int bucket = 0; bucket < 2; bucket++)
                 foreach (var range in ranges[bucket].Where(r => r.Part == part))
-                    to.Write(File.ReadAllBytes(Path.Combine(Folder.File("bucket" + bucket), BuildFiles.BucketName)),
+                    to.Write(File.ReadAllBytes(Path.Combine(Folder.File("bucket" + bucket), BucketBuild.BucketName)),
                         (int)range.Offset, (int)range.Bytes);
         }
         long CountOf(int part) => ranges.Sum(r => r.Where(x => x.Part == part).Sum(x => x.Count));

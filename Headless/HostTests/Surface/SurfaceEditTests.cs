@@ -1,3 +1,4 @@
+using FastPoints.Cli.Verbs;
 using FastPoints.Drawing;
 using FastPoints.Store;
 using FastPoints.Streaming;
@@ -98,7 +99,7 @@ public sealed class SurfaceEditTests : ScratchTests
             return (edit, min, max);
         edit.Boxes.Clear();
         if (kind == 1 || kind == 2)
-            edit.Balls.Add(EditShape.Ball(m_manifest.Grid, s_middle + at, size));
+            edit.Balls.Add(EditVerb.Ball(m_manifest.Grid, s_middle + at, size));
         if (kind == 1)
             return (edit, min, max);
         if (kind == 5)

@@ -208,7 +208,7 @@ namespace FastPoints.Evaluation
             using var canvas = new PictureCanvas(WidthPx, HeightPx, Allocator.Persistent);
             yield return JobStep.Of(SamplePicture.ChooseSize(canvas, points, plan, points.Count));
             yield return JobStep.Of(SamplePicture.Draw(canvas, points, plan, null));
-            yield return JobStep.Of(SamplePicture.Resolve(canvas, plan));
+            yield return JobStep.Of(DrawCloud.Resolve(canvas, plan));
             error.Views[view] = canvas.ToImage();
         }
 

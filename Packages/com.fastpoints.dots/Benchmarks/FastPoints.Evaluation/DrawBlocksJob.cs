@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using FastPoints.Drawing;
 using FastPoints.Picture;
 using FastPoints.Store;
@@ -58,7 +59,7 @@ namespace FastPoints.Evaluation
                 for (int p = 1; p < PlaneCount; p++)
                     for (int c = 0; c < planes[p].Shape.ColumnCount; c++, column++)
                         UnpackColumn(planes[p], block, c, Columns[column], values, batch + Targets[column].OffsetBytes);
-                if (Clips.Length > 0 || !HiddenClasses.IsEmpty || !PointFade.HasAll(node.FadeBits))
+                if (Clips.Length > 0 || !HiddenClasses.IsEmpty || !HasAll(node.FadeBits))
                     Hide(batch, count, node.FadeBits, (uint)(block * PlaneShape.MaxPointsPerBlock));
                 if (SizeNodes.Length > 0)
                     FindGaps(node, batch, count, gaps);
@@ -76,7 +77,7 @@ namespace FastPoints.Evaluation
             {
                 bool isKept = LocalClip.MayKeep(clips, Clips.Length, new double3(x[i], y[i], z[i]), 0) &&
                     (HiddenClasses.IsEmpty || !HiddenClasses.Has(batch[Classes.OffsetBytes + i])) &&
-                    PointFade.IsDrawn(fadeBits, firstIndex + (uint)i);
+                    IsDrawn(fadeBits, firstIndex + (uint)i);
                 x[i] = isKept ? x[i] : double.NaN;
             }
         }
@@ -90,8 +91,40 @@ namespace FastPoints.Evaluation
             for (int i = 0; i < count; i++)
             {
                 var position = (new double3(x[i], y[i], z[i]) - node.CubeCorner) * node.CubesPerStep;
-                gaps[i] = SizeTree.GapAt(nodes, node.SizeNode, (float3)position);
+                gaps[i] = GapAt(nodes, node.SizeNode, (float3)position);
             }
+        }
+
+        static bool HasAll(uint fadeBits) => ThresholdOf(fadeBits) == 1 << PointFade.ThresholdBits;
+
+        // The twin of PointFilters.hlsl. index: of the point in its node.
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static bool IsDrawn(uint fadeBits, uint index)
+        {
+            // After the finalizer of MurmurHash3 (Appleby, 2008): neighbours in the node are unrelated.
+            uint hash = (index + (fadeBits >> PointFade.SeedBit) * 0x9E3779B9u) * 0x85EBCA6Bu;
+            hash = (hash ^ hash >> 13) * 0xC2B2AE35u;
+            return (hash ^ hash >> 16) >> 32 - PointFade.ThresholdBits < ThresholdOf(fadeBits);
+        }
+
+        static uint ThresholdOf(uint fadeBits) => fadeBits >> 1 & 0x1FFFu;
+
+        // The twin of PointSizes.hlsl. node: the point's own; position: in the node's cube, from 0 to 1 along each axis.
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static float GapAt(GpuSizeNode* nodes, int node, float3 position)
+        {
+            for (int level = 0; level < SizeTree.MaxLevels; level++)
+            {
+                position *= 2;
+                var upper = position >= 1;
+                position -= math.select(float3.zero, new float3(1), upper);
+                uint octant = math.select(0u, 1u, upper.x) | math.select(0u, 2u, upper.y) | math.select(0u, 4u, upper.z);
+                uint children = nodes[node].Children;
+                if ((children >> (int)octant & 1) == 0)
+                    break;
+                node = (int)(children >> 8) + math.countbits(children & ((1u << (int)octant) - 1));
+            }
+            return nodes[node].Gap;
         }
 
         static void UnpackAxis(in PlaneView plane, int block, int axis, long corner, ulong* values, byte* to)

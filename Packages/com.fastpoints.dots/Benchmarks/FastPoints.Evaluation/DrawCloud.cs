@@ -59,10 +59,23 @@ namespace FastPoints.Evaluation
                     : DrawAll(progress));
                 if (drawSample)
                     PointsDrawn = sample.Count;
-                yield return JobStep.Of(SamplePicture.Resolve(m_canvas, Plan));
+                yield return JobStep.Of(Resolve(m_canvas, Plan));
                 Image = m_canvas.ToImage();
             }
             progress?.End();
+        }
+
+        public static IEnumerator<JobStep> Resolve(PictureCanvas canvas, PicturePlan plan)
+        {
+            var resolved = canvas.ScheduleResolve(plan.ResolveFor(plan.Camera, canvas), default);
+            try
+            {
+                yield return resolved;
+            }
+            finally
+            {
+                resolved.Complete();
+            }
         }
 
         IEnumerator<JobStep> DrawAll(StageProgress progress)

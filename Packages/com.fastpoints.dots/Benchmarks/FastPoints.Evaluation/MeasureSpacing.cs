@@ -87,8 +87,7 @@ namespace FastPoints.Evaluation
 
         IEnumerator<JobStep> Measure(List<int> pages)
         {
-            using var nodes = new CloudSelection(m_folder);
-            nodes.ChooseSampled(0, int.MaxValue, pages);
+            using var nodes = new SampledNodes(m_folder, 0, int.MaxValue, pages);
             if (nodes.NodeCount == 0)
                 yield break;
             using var batch = new PointBatch(LoadNodes.SchemaFor(m_folder), nodes.PointCountOrThrow, Allocator.Persistent);
@@ -305,5 +304,30 @@ namespace FastPoints.Evaluation
         [WriteOnly] public NativeArray<double> Distances;
 
         public void Execute(int index) => Distances[index] = Grid.DistanceOf(index);
+    }
+
+    /// <summary>All nodes of some levels that have a spacing, which excludes leaves.</summary>
+    internal sealed class SampledNodes : CloudSelection
+    {
+        /// <param name="firstLevel">Counted from the root.</param>
+        /// <param name="lastLevel">Included.</param>
+        /// <param name="pages">Null for all.</param>
+        /// <exception cref="PointCloudException">A page is damaged.</exception>
+        public SampledNodes(CloudFolder folder, int firstLevel, int lastLevel, IReadOnlyList<int> pages = null) : base(folder)
+        {
+            for (int i = 0; i < (pages?.Count ?? folder.PageCount); i++)
+            {
+                int page = pages?[i] ?? i;
+                for (int next = page; pages == null && next < Math.Min(page + MaxPageFetches, folder.PageCount); next++)
+                    Fetch(next);
+                var nodes = Load(page).Nodes;
+                for (int n = 0; n < nodes.Length; n++)
+                {
+                    int level = folder.Manifest.Root.SideLog2 - nodes[n].SideLog2;
+                    if (nodes[n].HasSpacing && level >= firstLevel && level <= lastLevel)
+                        Add(page, n, nodes[n].PointCount);
+                }
+            }
+        }
     }
 }

@@ -79,7 +79,7 @@ namespace FastPoints.Evaluation
             var images = new RgbaImage[m_canvases.Length];
             for (int i = 0; i < images.Length; i++)
             {
-                yield return JobStep.Of(SamplePicture.Resolve(m_canvases[i], m_plans[i % m_plans.Length]));
+                yield return JobStep.Of(DrawCloud.Resolve(m_canvases[i], m_plans[i % m_plans.Length]));
                 images[i] = m_canvases[i].ToImage();
             }
             Images = images[..m_plans.Length];

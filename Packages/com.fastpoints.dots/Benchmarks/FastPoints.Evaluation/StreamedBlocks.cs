@@ -125,8 +125,9 @@ namespace FastPoints.Evaluation
             }
         }
 
-        // isPixels: whatever size the points have.
-        internal JobHandle ScheduleDraw(DrawnBlocks drawn, in Camera camera, PictureCanvas canvas, bool isPixels = false)
+        // isPixels: whatever size the points have. sums: of a picture whose points are blended with it.
+        internal JobHandle ScheduleDraw(DrawnBlocks drawn, in Camera camera, PictureCanvas canvas, bool isPixels = false,
+            NativeArray<ulong> sums = default)
         {
             var cloud = m_stream.Clouds[m_cloud];
             var drawing = DrawingFor(camera, canvas);
@@ -155,7 +156,7 @@ namespace FastPoints.Evaluation
                 HiddenClasses = HiddenClasses,
                 Drawing = drawing,
                 Pixels = canvas.Pixels,
-                Sums = canvas.Sums,
+                Sums = sums,
             }.ScheduleParallel(drawn.Nodes.Length, 1, default);
         }
 

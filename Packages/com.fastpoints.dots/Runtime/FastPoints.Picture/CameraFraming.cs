@@ -14,17 +14,8 @@ namespace FastPoints.Picture
         const int Iterations = 10, IterationsOfAll = 4; // Shifts towards the middle: each leaves half the error or less.
 
         // An empty box counts as a point at 0, a point as a box of one unit. With fewer than eight positions of a sample the
-        // box's corners are framed.
-        public static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] sample, int widthPx, int heightPx,
-            UpAxis upAxis) => Frame(new PictureOptions
-            {
-                View = view,
-                WidthPx = widthPx,
-                HeightPx = heightPx,
-                UpAxis = upAxis,
-            }, bounds, sample, null, new double3(1, 1, 1));
-
-        // Extreme points, if any, are framed as well unless they are outliers. In degrees, lengths of a unit differ by axis.
+        // box's corners are framed. Extreme points, if any, are framed as well unless they are outliers. In degrees, lengths of
+        // a unit differ by axis.
         public static Camera Frame(PictureOptions options, BoundsGeo bounds, double3[] sample, double3[] extremes,
             double3 lengthsPerUnit)
         {

@@ -17,12 +17,10 @@ namespace FastPoints.Picture
         const long MaxPixels = 1L << 27;
 
         NativeArray<ulong> m_pixels;
-        NativeArray<ulong> m_sums;
         NativeArray<uint> m_colors;
         readonly NativeArray<uint> m_palettes;
         NativeArray<float> m_sizeOfTile;
         NativeReference<float> m_typicalSizePx;
-        bool m_isBlending;
 
         public PictureCanvas(int widthPx, int heightPx, Allocator allocator, int samplesPerEdge = 1)
         {
@@ -54,9 +52,6 @@ namespace FastPoints.Picture
         public int SamplesPerEdge { get; }
 
         public NativeArray<ulong> Pixels => m_pixels; // Depth and colour: see PointDrawing.
-
-        // Sums of blended points, see BlendedPixels. Empty before BeginBlending.
-        public NativeArray<ulong> Sums => m_isBlending ? m_sums : default;
 
         // The main light's depth map; null without. Who draws a point here draws it there, too.
         public PictureCanvas Shadows { get; private set; }
@@ -104,18 +99,6 @@ namespace FastPoints.Picture
         public unsafe void Clear()
         {
             UnsafeUtility.MemSet(m_pixels.GetUnsafePtr(), 0xFF, (long)m_pixels.Length * sizeof(ulong));
-            m_isBlending = false;
-        }
-
-        // The picture so far shows how far away each pixel's nearest point is: drawing the same points again blends them with
-        // it, at 16 more bytes a pixel. No drawing may be in flight.
-        public unsafe void BeginBlending()
-        {
-            if (!m_sums.IsCreated)
-                m_sums = new NativeArray<ulong>(m_pixels.Length * BlendedPixels.WordsPerPixel, Allocator.Persistent,
-                    NativeArrayOptions.UninitializedMemory);
-            UnsafeUtility.MemClear(m_sums.GetUnsafePtr(), (long)m_sums.Length * sizeof(ulong));
-            m_isBlending = true;
         }
 
         // Any number of draws may be in flight.
@@ -152,7 +135,6 @@ namespace FastPoints.Picture
         public JobHandle ScheduleResolve(ResolvePictureJob job, JobHandle inputDeps)
         {
             job.Pixels = m_pixels;
-            job.Sums = Sums;
             job.Colors = m_colors;
             return job.ScheduleParallel(HeightPx, 16, inputDeps);
         }
@@ -184,8 +166,6 @@ namespace FastPoints.Picture
             if (!m_pixels.IsCreated)
                 return;
             m_pixels.Dispose();
-            if (m_sums.IsCreated)
-                m_sums.Dispose();
             m_colors.Dispose();
             m_sizeOfTile.Dispose();
             Shadows?.Dispose();

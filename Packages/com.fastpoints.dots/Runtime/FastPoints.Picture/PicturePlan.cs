@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Drawing;
 using FastPoints.Streaming;
-using Unity.Collections;
 using Unity.Mathematics;
 
 namespace FastPoints.Picture
@@ -39,6 +38,7 @@ namespace FastPoints.Picture
         // Never Auto.
         public ColorMode Mode { get; }
 
+        public PictureOptions Options => m_options;
         public DisplayRanges Ranges => m_ranges;
         public float EdlStrength { get; }
         public int LitLevel { get; } // Of PointLighting.MaxLitLevel.
@@ -96,30 +96,7 @@ namespace FastPoints.Picture
             return drawing;
         }
 
-        ShadowMapProjection NewShadowFrame() => new ShadowMapProjection(Light.Direction, m_ranges.LengthsPerUnit);
-
-        // Around what a camera sees of the stream's clouds; without texels where nothing is shaded.
-        public ShadowMapProjection ShadowFrameFor(StreamContext stream, in Camera camera)
-        {
-            if (!m_options.Shadows)
-                return default;
-            var frame = NewShadowFrame();
-            frame.Add(stream, camera.ToStreamView(m_options.WidthPx, m_options.HeightPx));
-            frame.Fit();
-            return frame;
-        }
-
-        // What is streamed for a picture: the camera's view, then the light's. There is room for both.
-        public NativeArray<StreamView> ViewsFor(StreamContext stream, in Camera camera, NativeArray<StreamView> views)
-        {
-            views[0] = camera.ToStreamView(m_options.WidthPx * m_options.SamplesPerEdge,
-                m_options.HeightPx * m_options.SamplesPerEdge);
-            var frame = ShadowFrameFor(stream, camera);
-            if (!(frame.TexelWorld > 0))
-                return views.GetSubArray(0, 1);
-            views[1] = frame.ViewFor(views[0]);
-            return views;
-        }
+        public ShadowMapProjection NewShadowFrame() => new ShadowMapProjection(Light.Direction, m_ranges.LengthsPerUnit);
 
         // Around what the picture's own camera sees.
         public ShadowMapProjection ShadowFrameOfPicture()

@@ -59,18 +59,5 @@ namespace FastPoints.Picture
         public static IEnumerator<JobStep> DrawAndResolve(PictureCanvas canvas, PointBatch points, PicturePlan plan,
             StageProgress progress) => Draw(canvas, points, plan, progress, drawn =>
                 canvas.ScheduleResolve(plan.ResolveFor(plan.Camera, canvas), drawn));
-
-        public static IEnumerator<JobStep> Resolve(PictureCanvas canvas, PicturePlan plan)
-        {
-            var resolved = canvas.ScheduleResolve(plan.ResolveFor(plan.Camera, canvas), default);
-            try
-            {
-                yield return resolved;
-            }
-            finally
-            {
-                resolved.Complete();
-            }
-        }
     }
 }

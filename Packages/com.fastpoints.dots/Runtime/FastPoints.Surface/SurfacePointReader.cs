@@ -68,14 +68,8 @@ namespace FastPoints.Surface
             return Read(box.A, box.B, batch => builder.Add(cell, batch, Metres, m_hidden));
         }
 
-        /// <summary>Coroutine: all points of the cloud, batch by batch, in grid steps from the root's corner.</summary>
-        public IEnumerator<JobStep> ReadAll(Func<PointBatch, IEnumerator<JobStep>> take)
-        {
-            var root = Folder.Manifest.Root;
-            return Read(root.Corner, EndOf(root), take);
-        }
-
-        IEnumerator<JobStep> Read(Grid3 min, Grid3 end, Func<PointBatch, IEnumerator<JobStep>> take)
+        /// <summary>Coroutine: the points of nodes in a box, batch by batch, in grid steps from the root's corner.</summary>
+        public IEnumerator<JobStep> Read(Grid3 min, Grid3 end, Func<PointBatch, IEnumerator<JobStep>> take)
         {
             Clear();
             DropTables(MaxTables);

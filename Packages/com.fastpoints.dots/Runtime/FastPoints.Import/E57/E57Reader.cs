@@ -20,12 +20,6 @@ namespace FastPoints.E57
             m_blocks = blocks;
         }
 
-        public static E57Reader Open(string path)
-        {
-            using var source = RandomAccessFile.Open(path);
-            return Open(source);
-        }
-
         public static E57Reader Open(RandomAccessFile source)
         {
             var info = new SourceInfo { Path = source.Path, FileBytes = source.Length, Format = "E57" };

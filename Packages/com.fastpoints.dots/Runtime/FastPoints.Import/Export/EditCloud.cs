@@ -59,16 +59,6 @@ namespace FastPoints.Export
             return reader;
         }
 
-        /// <summary>Undoes the last operation, or does it again. Not for a main thread.</summary>
-        /// <returns>The operation; null if there is none.</returns>
-        public static EditOperation Step(string cloud, ulong cloudId, bool isUndo)
-        {
-            using var held = Lock(cloud);
-            var journal = EditJournal.Read(cloud, cloudId);
-            return isUndo ? journal.TryUndo() ? journal.Operations[journal.Count] : null
-                : journal.TryRedo() ? journal.Operations[journal.Count - 1] : null;
-        }
-
         /// <summary>Undoes, or does again, until so many operations are applied. Not for a main thread.</summary>
         /// <param name="count">Negative to change nothing.</param>
         /// <returns>How many are: fewer if there are no more.</returns>
@@ -90,7 +80,7 @@ namespace FastPoints.Export
             return true;
         }
 
-        static FolderLock Lock(string cloud)
+        public static FolderLock Lock(string cloud)
         {
             if (SourcePath.IsRemote(cloud))
                 throw new PointCloudException(FailureCode.Unsupported, cloud, -1, "a cloud on a server cannot be edited");

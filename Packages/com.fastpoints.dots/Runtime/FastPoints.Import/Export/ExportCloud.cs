@@ -54,9 +54,6 @@ namespace FastPoints.Export
             m_chosen = new NativeArray<int>(MakeRecordsJob.PointsPerSlice, Allocator.Persistent);
         }
 
-        /// <summary>Whether files of this name can be written.</summary>
-        public static bool CanWrite(string path) => Path.GetExtension(path).ToLowerInvariant() is ".las" or ".laz" or ".ply";
-
         /// <summary>Coroutine. The file is there, whole, when it has ended; cancelled or failed, it leaves
         /// nothing.</summary>
         /// <param name="path">Its ending says what is written.</param>
@@ -340,10 +337,10 @@ namespace FastPoints.Export
             NativeArray<FieldCopy> m_copies;
             NativeArray<FieldCopy> m_convertedCopies;
             NativeArray<ColumnConversion> m_conversions;
-            readonly FilterSlot m_filter;
+            readonly IFilterSlot m_filter;
             NativeReference<long> m_end = new NativeReference<long>(Allocator.Persistent);
 
-            public Slot(PointReader reader, PointSchema wanted, int maxPoints, ExportFormat format, PointFilter filter)
+            public Slot(PointReader reader, PointSchema wanted, int maxPoints, ExportFormat format, IPointFilter filter)
             {
                 m_format = format;
                 Read = reader.CreateRead(wanted, maxPoints, Allocator.Persistent);
@@ -354,8 +351,7 @@ namespace FastPoints.Export
                 m_columns = new NativeArray<PointColumn>(wanted.Count, Allocator.Persistent);
                 for (int i = 0; i < wanted.Count; i++)
                     m_columns[i] = Read.Points.Column(i);
-                if (filter != null)
-                    m_filter = new FilterSlot(filter, Read.Points, reader.Info.Transform);
+                m_filter = filter?.CreateSlot(Read.Points, reader.Info.Transform);
             }
 
             public BlockRead Read { get; }

@@ -2,6 +2,8 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Reading;
 using FastPoints.Streaming;
+using Unity.Collections;
+using Unity.Jobs;
 using Unity.Mathematics;
 
 namespace FastPoints.Export
@@ -153,7 +155,7 @@ namespace FastPoints.Export
         /// coordinates.</summary>
         public CloudPlacement GeoToWorld = new CloudPlacement(double3x3.identity, default);
         public int[] Classes; // From 0 to 255; null for all.
-        public PointFilter Filter; // Null for all points. Whoever sets it disposes it after the export.
+        public IPointFilter Filter; // Null for all points. Whoever sets it disposes it after the export.
         public string[] Attributes; // Beside the position; null for all.
         public int Level = -1; // The last level of the octree; -1 for all.
 
@@ -173,5 +175,27 @@ namespace FastPoints.Export
                 clips[i] = new LocalClip(Clips[i], GeoToWorld);
             return clips;
         }
+    }
+
+    /// <summary>Chooses points of a source: the command line's conditions and polygons.</summary>
+    internal interface IPointFilter
+    {
+        /// <summary>Names of the attributes that it reads, beside the position.</summary>
+        IEnumerable<string> Attributes { get; }
+
+        /// <summary>Differs between those that keep different points.</summary>
+        ulong Hash { get; }
+
+        IFilterSlot CreateSlot(PointBatch batch, in PositionTransform transform);
+    }
+
+    internal interface IFilterSlot : IDisposable
+    {
+        /// <summary>The number of points left in the batch, when the scheduled jobs are complete.</summary>
+        NativeReference<DecodeResult> Result { get; }
+
+        /// <param name="range">Of the reader that filters.</param>
+        /// <param name="firstPoint">Number of the batch's first point in the source.</param>
+        JobHandle Schedule(NativeReference<DecodeResult> decodedResult, BlockRange range, long firstPoint, JobHandle decoded);
     }
 }

@@ -43,15 +43,6 @@ namespace FastPoints.Reading
         /// <summary>Edge of a level's nodes, CRS units.</summary>
         public double EdgeOfLevel(int level) => Cube.Size.x / Math.Pow(2, level);
 
-        public int NodesWithoutPoints()
-        {
-            int count = 0;
-            for (int i = 0; i < m_nodes.Length; i++)
-                if (m_nodes[i].Block < 0)
-                    count++;
-            return count;
-        }
-
         public void Dispose()
         {
             if (m_nodes.IsCreated)

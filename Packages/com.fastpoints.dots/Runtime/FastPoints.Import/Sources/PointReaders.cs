@@ -65,11 +65,6 @@ namespace FastPoints.Sources
             paths.Count == 1 ? Open(paths[0], options) :
             WithPlacement(TiledReader.Open(paths, path => OpenComplete(path, options)));
 
-        /// <summary>Opens some files of a cloud of many, whose attributes and transform they get.</summary>
-        /// <param name="info">Of the cloud.</param>
-        internal static PointReader OpenSome(IReadOnlyList<string> paths, SourceInfo info, ReadOptions options) =>
-            TiledReader.Open(paths, path => OpenComplete(path, options), info);
-
         /// <summary>Opens a LAS, LAZ, PLY, PCD, E57, PTX or text file, a Potree octree by its folder or its index in it, or all
         /// clouds that lie in a folder as one. Dispose the reader.</summary>
         /// <exception cref="PointCloudException">There is no such file, no permission, the kind is not supported (Unsupported),
@@ -85,7 +80,7 @@ namespace FastPoints.Sources
             return reader;
         }
 
-        static PointReader OpenComplete(string path, ReadOptions options)
+        internal static PointReader OpenComplete(string path, ReadOptions options)
         {
             var reader = OpenWithoutOverrides(path, options);
             try

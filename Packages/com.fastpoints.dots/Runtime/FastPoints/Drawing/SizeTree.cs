@@ -1,5 +1,4 @@
 using System;
-using System.Runtime.CompilerServices;
 using FastPoints.Streaming;
 using Unity.Collections;
 using Unity.Jobs;
@@ -73,24 +72,6 @@ namespace FastPoints.Drawing
             m_stream = null;
             m_nodes.Clear();
             m_nodeOfDrawn.Clear();
-        }
-
-        // node: the point's own; position: in the node's cube, from 0 to 1 along each axis.
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        internal static float GapAt(GpuSizeNode* nodes, int node, float3 position)
-        {
-            for (int level = 0; level < MaxLevels; level++)
-            {
-                position *= 2;
-                var upper = position >= 1;
-                position -= math.select(float3.zero, new float3(1), upper);
-                uint octant = math.select(0u, 1u, upper.x) | math.select(0u, 2u, upper.y) | math.select(0u, 4u, upper.z);
-                uint children = nodes[node].Children;
-                if ((children >> (int)octant & 1) == 0)
-                    break;
-                node = (int)(children >> 8) + math.countbits(children & ((1u << (int)octant) - 1));
-            }
-            return nodes[node].Gap;
         }
 
         public void Dispose()

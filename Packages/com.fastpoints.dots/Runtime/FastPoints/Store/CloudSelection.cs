@@ -8,7 +8,7 @@ namespace FastPoints.Store
     /// them.</summary>
     internal class CloudSelection : IDisposable
     {
-        const int MaxPageFetches = 16;
+        protected const int MaxPageFetches = 16;
 
         public CloudFolder Folder { get; }
         readonly Dictionary<int, NodeTable> m_tables = new Dictionary<int, NodeTable>();
@@ -74,29 +74,6 @@ namespace FastPoints.Store
                     next.Add((below, Folder.FirstBelow(page) + link, -1));
             }
             SortNodes();
-        }
-
-        /// <summary>Chooses all nodes of some levels that have a spacing, which excludes leaves.</summary>
-        /// <param name="firstLevel">Counted from the root.</param>
-        /// <param name="lastLevel">Included.</param>
-        /// <param name="pages">Null for all.</param>
-        /// <exception cref="PointCloudException">A page is damaged.</exception>
-        public void ChooseSampled(int firstLevel, int lastLevel, IReadOnlyList<int> pages = null)
-        {
-            Clear();
-            for (int i = 0; i < (pages?.Count ?? Folder.PageCount); i++)
-            {
-                int page = pages?[i] ?? i;
-                for (int next = page; pages == null && next < Math.Min(page + MaxPageFetches, Folder.PageCount); next++)
-                    Fetch(next);
-                var nodes = Load(page).Nodes;
-                for (int n = 0; n < nodes.Length; n++)
-                {
-                    int level = Folder.Manifest.Root.SideLog2 - nodes[n].SideLog2;
-                    if (nodes[n].HasSpacing && level >= firstLevel && level <= lastLevel)
-                        Add(page, n, nodes[n].PointCount);
-                }
-            }
         }
 
         /// <summary>Chooses all nodes with points in a box.</summary>

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using FastPoints.Drawing;
+using FastPoints.Evaluation;
 using FastPoints.Streaming;
 using FastPoints.Tests.Nodes;
 using FastPoints.Tests.Streaming;
@@ -125,7 +126,7 @@ namespace FastPoints.Tests.Drawing
                     var steps = math.floor(inCube * cube.Edge);
                     var position = cube.Corner + new Grid3((long)steps.x, (long)steps.y, (long)steps.z);
                     int wanted = DeepestBelow(stream, childrenOf, i, position);
-                    float gap = SizeTree.GapAt((GpuSizeNode*)sizes.Nodes.GetUnsafeReadOnlyPtr(), sizes.NodeOfDrawn[i],
+                    float gap = DrawBlocksJob.GapAt((GpuSizeNode*)sizes.Nodes.GetUnsafeReadOnlyPtr(), sizes.NodeOfDrawn[i],
                         (float3)((steps + 0.5) / cube.Edge));
                     Assert.That(gap, Is.EqualTo(sizes.Nodes[sizes.NodeOfDrawn[wanted]].Gap), "node " + i + " at " + inCube);
                     deeper += wanted != i ? 1 : 0;

@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using FastPoints.E57;
 using FastPoints.Reading;
+using FastPoints.Sources;
 using FastPoints.Tests.Reading;
 using NUnit.Framework;
 using Unity.Collections;
@@ -85,7 +86,7 @@ namespace FastPoints.Tests.E57
             int[] x = whole.Column<int>("X");
             var random = new Random(4);
             using var path = new TemporaryFile(file, ".e57");
-            using var reader = E57Reader.Open(path.Path);
+            using var reader = PointReaders.Open(path.Path);
             JobCoroutine.RunToEnd(reader.IndexBlocks());
             using var read = reader.CreateRead(reader.Info.Schema.Select("X", "Red"), 5000, Allocator.Persistent);
             for (int i = 0; i < 40; i++)
@@ -107,7 +108,7 @@ namespace FastPoints.Tests.E57
             byte[] file = File(Grid(200000), Grid(50000, seed: 40));
             var whole = FileContents.OfE57(file);
             using var path = new TemporaryFile(file, ".e57");
-            using var reader = E57Reader.Open(path.Path);
+            using var reader = PointReaders.Open(path.Path);
             JobCoroutine.RunToEnd(reader.IndexBlocks());
             int[] x = whole.Column<int>("X");
             var reads = new BlockRead[reader.BlockCount];

@@ -3,6 +3,7 @@ using System.Linq;
 using FastPoints.Drawing;
 using FastPoints.Evaluation;
 using FastPoints.Picture;
+using FastPoints.Tests.Picture;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -37,7 +38,7 @@ namespace FastPoints.Tests.Evaluation
             using var reader = Scan(600_000, 50_000);
             var options = Small();
             options.PointSizePx = 1;
-            options.Camera = CameraFraming.Frame(ViewDirection.Iso, PositionBounds.RunImmediate(reader.Points,
+            options.Camera = CameraFramingTests.Frame(ViewDirection.Iso, PositionBounds.RunImmediate(reader.Points,
                 PositionTransform.Identity).Bounds, null, 160, 120, UpAxis.Z);
             var blocks = Draw(reader, options);
             using var preview = Preview(reader, new PreviewOptions { Points = 600_000, Exact = true, Picture = options });
@@ -112,7 +113,7 @@ namespace FastPoints.Tests.Evaluation
             using var reader = Scan(400_000, 20_000);
             var options = Small();
             options.Color = ColorMode.Elevation;
-            options.Camera = CameraFraming.Frame(ViewDirection.Iso, PositionBounds.RunImmediate(reader.Points,
+            options.Camera = CameraFramingTests.Frame(ViewDirection.Iso, PositionBounds.RunImmediate(reader.Points,
                 PositionTransform.Identity).Bounds, null, 160, 120, UpAxis.Z);
             using var preview = Preview(reader, new PreviewOptions { Points = 40_000, Picture = options });
             var all = Draw(reader, options).Image;

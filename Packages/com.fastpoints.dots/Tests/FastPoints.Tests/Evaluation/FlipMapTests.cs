@@ -88,7 +88,17 @@ namespace FastPoints.Tests.Evaluation
             var map = FlipMap.Of(Picture(), Reference());
             var image = map.ToImage();
             Assert.That(Enumerable.Range(0, Width * Height).Select(i => image[i % Width, i / Width]),
-                Is.EqualTo(map.Errors.Select(e => Palettes.Magma((int)(e * 255 + 0.5) / 255.0))));
+                Is.EqualTo(map.Errors.Select(e => FlipMap.Magma((int)(e * 255 + 0.5) / 255.0))));
+        }
+
+        [TestCase(0, 0, 0, 4), TestCase(64, 81, 18, 124), TestCase(128, 183, 55, 121)]
+        [TestCase(191, 251, 135, 97), TestCase(255, 252, 253, 191)]
+        public void Magma_KnownEntries_AreWithinFiveSteps(int entry, int red, int green, int blue)
+        {
+            uint color = FlipMap.Magma(entry / 255.0);
+            Assert.That((int)(color & 255), Is.EqualTo(red).Within(5));
+            Assert.That((int)(color >> 8 & 255), Is.EqualTo(green).Within(5));
+            Assert.That((int)(color >> 16 & 255), Is.EqualTo(blue).Within(5));
         }
     }
 }

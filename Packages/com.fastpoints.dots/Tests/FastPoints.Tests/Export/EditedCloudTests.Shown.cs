@@ -190,7 +190,7 @@ namespace FastPoints.Tests.Export
                 }
                 else
                 {
-                    EditCloud.Step(Cloud, id, true);
+                    EditCloud.GoTo(Cloud, 3 - step);
                 }
                 var next = TakeNext(feed);
                 Assert.That(next.Edits?.Operations.Count ?? 0, Is.EqualTo(step < 2 ? step + 1 : 3 - step));
@@ -318,7 +318,11 @@ namespace FastPoints.Tests.Export
                 PointsPerBatch = 500,
                 Edits = edits,
             })
-                JobCoroutine.RunToEnd(cells.ReadAll(batch => TakeBatch(batch, folder.Manifest.Root.Corner, read)));
+            {
+                var root = folder.Manifest.Root;
+                JobCoroutine.RunToEnd(cells.Read(root.Corner, root.Corner + new Grid3(root.Side, root.Side, root.Side),
+                    batch => TakeBatch(batch, root.Corner, read)));
+            }
             Assert.That(Shown(read), Is.EqualTo(Shown(points)));
 
             using var selection = new NodeSelection(folder) { Edits = edits };

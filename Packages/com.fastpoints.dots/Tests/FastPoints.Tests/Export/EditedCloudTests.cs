@@ -309,22 +309,20 @@ namespace FastPoints.Tests.Export
         {
             ConvertSeeded(5000);
             var points = Edit(6, 6);
-            ulong id;
             string[] stored, edited;
             using (var reader = ConvertedReader.Open(Cloud))
-                (stored, id) = (Sorted(Read(reader)), reader.Manifest.CloudId);
+                stored = Sorted(Read(reader));
             using (var reader = ConvertedReader.OpenEdited(Cloud))
                 edited = Sorted(Read(reader));
             Assert.That(edited, Is.EqualTo(Sorted(points)).And.Not.EqualTo(stored));
-            int undone = 0;
-            for (; EditCloud.Step(Cloud, id, true) is EditOperation; undone++) { }
+            for (int left = EditCloud.GoTo(Cloud, -1); left > 0; left--)
+                Assert.That(EditCloud.GoTo(Cloud, left - 1), Is.EqualTo(left - 1));
             using (var reader = ConvertedReader.OpenEdited(Cloud))
             {
                 Assert.That(reader.Edits, Is.Null);
                 Assert.That(Sorted(Read(reader)), Is.EqualTo(stored));
             }
-            for (; EditCloud.Step(Cloud, id, false) is EditOperation; undone--) { }
-            Assert.That(undone, Is.Zero);
+            Assert.That(EditCloud.GoTo(Cloud, 6), Is.EqualTo(6));
             using (var reader = ConvertedReader.OpenEdited(Cloud))
                 Assert.That(Sorted(Read(reader)), Is.EqualTo(edited));
         }

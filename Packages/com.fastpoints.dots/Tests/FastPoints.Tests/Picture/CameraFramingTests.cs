@@ -17,6 +17,15 @@ namespace FastPoints.Tests.Picture
             BoundsGeo.Empty,
         };
 
+        internal static Camera Frame(ViewDirection view, BoundsGeo bounds, double3[] sample, int widthPx, int heightPx,
+            UpAxis upAxis) => CameraFraming.Frame(new PictureOptions
+            {
+                View = view,
+                WidthPx = widthPx,
+                HeightPx = heightPx,
+                UpAxis = upAxis,
+            }, bounds, sample, null, new double3(1, 1, 1));
+
         [Test]
         public void Frame_AnyBox_ShowsAllCornersAndFillsThePicture()
         {
@@ -24,7 +33,7 @@ namespace FastPoints.Tests.Picture
                 foreach (ViewDirection view in Enum.GetValues(typeof(ViewDirection)))
                     foreach (UpAxis up in Enum.GetValues(typeof(UpAxis)))
                     {
-                        var camera = CameraFraming.Frame(view, box, null, 400, 300, up);
+                        var camera = Frame(view, box, null, 400, 300, up);
                         var bounds = box.IsEmpty ? new BoundsGeo(new double3(0, 0, 0), new double3(0, 0, 0)) : box;
                         var projection = new PointProjection(camera, PositionTransform.Identity, 400, 300);
                         double widest = 0;
@@ -57,7 +66,7 @@ namespace FastPoints.Tests.Picture
                     outline[i] = new double3(i < 2 ? 50 : -50, 40, 30);
                 foreach (ViewDirection view in Enum.GetValues(typeof(ViewDirection)))
                 {
-                    var camera = CameraFraming.Frame(view, box, outline, 300, 300, UpAxis.Z);
+                    var camera = Frame(view, box, outline, 300, 300, UpAxis.Z);
                     var projection = new PointProjection(camera, PositionTransform.Identity, 300, 300);
                     double lowest = 0, highest = 300;
                     for (int i = 4; i < outline.Length; i++)
@@ -82,7 +91,7 @@ namespace FastPoints.Tests.Picture
             var outline = new double3[20];
             for (int i = 0; i < outline.Length; i++)
                 outline[i] = position;
-            var camera = CameraFraming.Frame(ViewDirection.Auto, new BoundsGeo(position - size, position + size), outline, 300,
+            var camera = Frame(ViewDirection.Auto, new BoundsGeo(position - size, position + size), outline, 300,
                 300, UpAxis.Z);
             Assert.That(math.length(camera.EyeGeo - position), Is.InRange(1, 10));
         }
@@ -91,7 +100,7 @@ namespace FastPoints.Tests.Picture
         public void Frame_Top_HasNorthAtTheTopAndEastAtTheRight()
         {
             var box = new BoundsGeo(new double3(0, 0, 0), new double3(10, 10, 10));
-            var camera = CameraFraming.Frame(ViewDirection.Top, box, null, 100, 100, UpAxis.Z);
+            var camera = Frame(ViewDirection.Top, box, null, 100, 100, UpAxis.Z);
             var projection = new PointProjection(camera, PositionTransform.Identity, 100, 100);
             projection.Project(0, 0, 5, out double westX, out double southY, out float low);
             projection.Project(10, 10, 10, out double eastX, out double northY, out float high);
@@ -106,7 +115,7 @@ namespace FastPoints.Tests.Picture
             var box = new BoundsGeo(new double3(0, 0, 0), new double3(10, 10, 10));
             foreach (UpAxis up in new[] { UpAxis.Z, UpAxis.Y })
             {
-                var camera = CameraFraming.Frame(ViewDirection.Front, box, null, 100, 100, up);
+                var camera = Frame(ViewDirection.Front, box, null, 100, 100, up);
                 var projection = new PointProjection(camera, PositionTransform.Identity, 100, 100);
                 projection.Project(0, 0, 0, out double westX, out double lowY, out _);
                 projection.Project(10, up == UpAxis.Y ? 10 : 0, up == UpAxis.Z ? 10 : 0, out double eastX, out double highY,

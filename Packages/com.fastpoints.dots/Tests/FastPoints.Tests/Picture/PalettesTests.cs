@@ -18,16 +18,6 @@ namespace FastPoints.Tests.Picture
             Assert.That(color >> 24, Is.EqualTo(255));
         }
 
-        [TestCase(0, 0, 0, 4), TestCase(64, 81, 18, 124), TestCase(128, 183, 55, 121)]
-        [TestCase(191, 251, 135, 97), TestCase(255, 252, 253, 191)]
-        public void Magma_KnownEntries_AreWithinFiveSteps(int entry, int red, int green, int blue)
-        {
-            uint color = Palettes.Magma(entry / 255.0);
-            Assert.That((int)(color & 255), Is.EqualTo(red).Within(5));
-            Assert.That((int)(color >> 8 & 255), Is.EqualTo(green).Within(5));
-            Assert.That((int)(color >> 16 & 255), Is.EqualTo(blue).Within(5));
-        }
-
         [TestCase(0.0, 48, 18, 59), TestCase(0.5, 164, 252, 60), TestCase(1.0, 122, 4, 3)]
         public void Turbo_KnownEntries_AreWithinAnEighth(double share, int red, int green, int blue)
         {

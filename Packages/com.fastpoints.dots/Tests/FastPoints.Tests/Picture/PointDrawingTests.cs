@@ -238,7 +238,7 @@ namespace FastPoints.Tests.Picture
             using var batch = TestBatches.Scan(40_000, 9);
             var transform = new PositionTransform { Scale = new double3(0.001, 0.001, 0.001), Offset = new double3(5e5, 5e6, 0) };
             var bounds = PositionBounds.RunImmediate(batch, transform).Bounds;
-            var camera = CameraFraming.Frame(ViewDirection.Iso, bounds, null, 160, 120, UpAxis.Z);
+            var camera = CameraFramingTests.Frame(ViewDirection.Iso, bounds, null, 160, 120, UpAxis.Z);
             byte[] first = null;
             foreach (int workers in new[] { 1, 2, 7 })
             {

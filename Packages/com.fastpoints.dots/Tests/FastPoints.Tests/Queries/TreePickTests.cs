@@ -260,7 +260,7 @@ namespace FastPoints.Tests.Queries
             using var stream = StreamedTestCloud.Stream();
             using var picker = new StreamPicker();
             JobCoroutine.RunToEnd(preview.TakeSample(new StageProgress()));
-            var source = new TreeSource(new SampleReader(preview.Sample, "scan"));
+            var source = new TreeSource(SampleStreamingTests.CopyOf(preview.Sample));
             int number = stream.Add(source, StreamedTestCloud.Geo(source));
             var middle = preview.Sample.Bounds.Center;
             var ray = PointQuery.FromEye(middle + new double3(0, 0, 500), new double3(0, 0, -1), 100, 10);

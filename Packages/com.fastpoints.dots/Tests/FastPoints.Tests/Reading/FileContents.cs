@@ -17,7 +17,7 @@ namespace FastPoints.Tests.Reading
         public long PointsInBlocks;
         public int Blocks;
 
-        public static FileContents OfPly(string path, params string[] names) => Read(PlyReader.Open(path), names);
+        public static FileContents OfPly(string path, params string[] names) => Read(PointReaders.Open(path), names);
 
         public static FileContents OfE57(string path, params string[] names) => Read(PointReaders.Open(path), names);
 

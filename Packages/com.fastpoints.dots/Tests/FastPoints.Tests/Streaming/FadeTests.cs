@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using FastPoints.Drawing;
+using FastPoints.Evaluation;
 using FastPoints.Picture;
 using FastPoints.Streaming;
 using NUnit.Framework;
@@ -235,10 +236,10 @@ namespace FastPoints.Tests.Streaming
             int drawn = 0, inHalf = 0;
             for (uint i = 0; i < 10_000; i++)
             {
-                bool isDrawn = PointFade.IsDrawn(bits, i);
+                bool isDrawn = DrawBlocksJob.IsDrawn(bits, i);
                 drawn += isDrawn ? 1 : 0;
                 inHalf += isDrawn && i % 2 == 0 ? 1 : 0;
-                Assert.That(isDrawn || !PointFade.IsDrawn(before, i), "a point that is drawn stays");
+                Assert.That(isDrawn || !DrawBlocksJob.IsDrawn(before, i), "a point that is drawn stays");
             }
             // A threshold is rounded to a 4096th; five standard deviations of so many points.
             Assert.That(drawn / 10_000.0, Is.EqualTo(fade).Within(1 / 4096.0 + 5 * Math.Sqrt(fade * (1 - fade) / 10_000)));

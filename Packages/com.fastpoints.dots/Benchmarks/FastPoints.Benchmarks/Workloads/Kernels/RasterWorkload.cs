@@ -28,7 +28,13 @@ namespace FastPoints.Benchmarks
                 Offset = new double3(690_000, 5_330_000, 500),
             };
             var bounds = PositionBounds.RunImmediate(m_points, transform).Bounds;
-            var camera = CameraFraming.Frame(ViewDirection.Iso, bounds, null, m_canvas.WidthPx, m_canvas.HeightPx, UpAxis.Z);
+            var camera = CameraFraming.Frame(new PictureOptions
+            {
+                View = ViewDirection.Iso,
+                WidthPx = m_canvas.WidthPx,
+                HeightPx = m_canvas.HeightPx,
+                UpAxis = UpAxis.Z,
+            }, bounds, null, null, new double3(1, 1, 1));
             m_drawing = new PointDrawing
             {
                 Positions = PositionColumns.Of(m_points),

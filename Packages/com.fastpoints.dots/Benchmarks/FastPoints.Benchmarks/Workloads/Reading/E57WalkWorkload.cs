@@ -1,4 +1,4 @@
-using FastPoints.E57;
+using FastPoints.Sources;
 
 namespace FastPoints.Benchmarks
 {
@@ -19,7 +19,7 @@ namespace FastPoints.Benchmarks
 
         public WorkloadResult Run()
         {
-            using var reader = E57Reader.Open(m_path);
+            using var reader = PointReaders.Open(m_path);
             JobCoroutine.RunToEnd(reader.IndexBlocks());
             return new WorkloadResult { Points = reader.PointCount, Bytes = reader.Info.FileBytes };
         }

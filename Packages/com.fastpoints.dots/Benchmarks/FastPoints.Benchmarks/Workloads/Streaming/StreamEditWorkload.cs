@@ -20,7 +20,6 @@ namespace FastPoints.Benchmarks
 
         readonly bool m_isBrush;
         string m_path;
-        ulong m_id;
         NativeArray<StreamView> m_views;
         StreamContext m_stream;
         CloudVersions m_versions;
@@ -42,7 +41,6 @@ namespace FastPoints.Benchmarks
             m_stream.Settings.Selection = new LodSettings { PointBudget = m_isBrush ? 1_000_000 : 5_000_000, Hysteresis = 1 };
             m_versions = new CloudVersions(m_stream);
             m_versions.Add(Open());
-            m_id = ((FolderSource)m_stream.Clouds[m_versions.ShownNumber].Source).Folder.Manifest.CloudId;
             while (!FrameStep.Run(m_stream, m_views).IsSettled)
                 Thread.Yield();
         }
@@ -56,7 +54,7 @@ namespace FastPoints.Benchmarks
             double counted = watch.Elapsed.TotalMilliseconds;
             Show();
             double shown = watch.Elapsed.TotalMilliseconds;
-            EditCloud.Step(m_path, m_id, true);
+            EditCloud.GoTo(m_path, 0);
             Show();
             double undone = watch.Elapsed.TotalMilliseconds;
             return new WorkloadResult

@@ -36,15 +36,6 @@ namespace FastPoints.Build
 
         public NodeTable TableAt(int page) => Load(page);
 
-        /// <summary>Every node of a page whose blocks are in planes of its own.</summary>
-        public IEnumerable<int> PlaneNodesOf(int page)
-        {
-            var nodes = Load(page).Nodes;
-            for (int n = 0; n < nodes.Length; n++)
-                if (nodes[n].PlaneNode == n)
-                    yield return n;
-        }
-
         /// <summary>Chooses all nodes, so many at a time as have the points of a cube.</summary>
         /// <returns>How many are chosen.</returns>
         public IEnumerable<int> ChooseBatches()

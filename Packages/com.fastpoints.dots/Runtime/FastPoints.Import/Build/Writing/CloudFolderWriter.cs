@@ -353,9 +353,6 @@ namespace FastPoints.Build
         public const string TopFolderName = "tops"; // Chunks' top nodes, which the merge of the upper levels consumes.
         public const string OutsideName = "part.outside"; // Of a part: points outside of the cloud's planned cube, packed.
 
-        public const string BucketName = "part.bucket";
-        public const string RangesName = "ranges.bin"; // Which of a bucket's records are of which part. It stays with the folder.
-
         public static string RecordPath(int number) => PathOf(RecordFolderName, number);
 
         public static string TopPath(int number) => PathOf(TopFolderName, number);

@@ -80,16 +80,7 @@ namespace FastPoints.Reading
         public override int MaxPointsPerBlock => m_maxPointsPerBlock;
         public override bool HasCheapRanges => m_hasCheapRanges;
 
-        public int OpenCount
-        {
-            get
-            {
-                int count = 0;
-                foreach (var tile in m_open)
-                    count += tile.IsOpen ? 1 : 0;
-                return count;
-            }
-        }
+        public int OpenCount => m_open.FindAll(tile => tile.IsOpen).Count;
 
         public override long FirstPointOfBlock(int block)
         {

@@ -10,12 +10,6 @@ namespace FastPoints.Text
     // points before it are read and a warning says where. Coordinates that are not finite are kept.
     static class PlyReader
     {
-        public static PointReader Open(string path)
-        {
-            using var source = RandomAccessFile.Open(path);
-            return Open(source);
-        }
-
         public static PointReader Open(RandomAccessFile source)
         {
             var ply = PlyFile.Read(source);

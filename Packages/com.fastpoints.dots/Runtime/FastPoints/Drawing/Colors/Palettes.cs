@@ -122,19 +122,7 @@ namespace FastPoints.Drawing
             return Pack(ToByte(red), ToByte(green), ToByte(blue));
         }
 
-        // Magma (Smith and van der Walt, 2015): as even, from black to light yellow. As Viridis', at most 5 of 255 off.
-        public static uint Magma(double t)
-        {
-            double red = Polynomial(t, -0.00213649, 0.25166054, 8.35371728, -27.66873309, 52.17613981, -50.76852537,
-                18.65570507);
-            double green = Polynomial(t, -0.00074966, 0.67752324, -3.57771951, 14.26473078, -27.94360607, 29.04658282,
-                -11.48977352);
-            double blue = Polynomial(t, -0.00538613, 2.49402660, 0.31446790, -13.64921319, 12.94416944, 4.23415299,
-                -5.60196151);
-            return Pack(ToByte(red), ToByte(green), ToByte(blue));
-        }
-
-        static double Polynomial(double x, params double[] coefficients)
+        internal static double Polynomial(double x, params double[] coefficients)
         {
             double sum = 0;
             for (int i = coefficients.Length - 1; i >= 0; i--)
@@ -142,7 +130,7 @@ namespace FastPoints.Drawing
             return sum;
         }
 
-        static byte ToByte(double channel) => (byte)Math.Min(255, Math.Max(0, channel * 255 + 0.5));
+        internal static byte ToByte(double channel) => (byte)Math.Min(255, Math.Max(0, channel * 255 + 0.5));
 
         // Common colours of ASPRS classes (LAS 1.4 R15, table 17); the last is for all others.
         static readonly uint[] s_classes =

@@ -33,20 +33,6 @@ namespace FastPoints.Store
             };
         }
 
-        // The centre lies on the nearest grid position.
-        public static EditShape Ball(in CloudGrid grid, double3 center, double radius)
-        {
-            var ball = new EditShape
-            {
-                A = GridOf(math.round((center - grid.Origin) / grid.Step)),
-                B = GridOf(math.floor(radius / grid.Step * (1 + 4.5e-16))),
-                IsBall = true,
-            };
-            if (!ball.IsRound)
-                ball.B = Grid3.Max(ball.B, new Grid3(1, 1, 1));
-            return ball;
-        }
-
         public static EditShape Of(GridCube cube)
         {
             long last = cube.Side - 1;

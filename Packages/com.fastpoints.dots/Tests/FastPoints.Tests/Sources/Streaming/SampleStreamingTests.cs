@@ -29,6 +29,13 @@ namespace FastPoints.Tests.Sources
             return preview;
         }
 
+        internal static SampleReader CopyOf(PreviewSample sample)
+        {
+            SampleReader copy = null;
+            JobCoroutine.RunToEnd(SampleReader.Copy(sample, "scan", copied => copy = copied));
+            return copy;
+        }
+
         [TestCase(AttributeType.Int32, 100_000), TestCase(AttributeType.Float32, 100_000)]
         [TestCase(AttributeType.Float64, 40_000), TestCase(AttributeType.Int32, 1)]
         public void Run_Sample_DrawsEachOfItsPoints(AttributeType type, int points)
@@ -39,7 +46,7 @@ namespace FastPoints.Tests.Sources
                     TestBatches.Set(batch, axis, i, axis == 2 ? i % 7 : axis == 1 ? i / 300 : i % 300 - 100);
             using var preview = Take(batch, points);
             using var stream = StreamedTestCloud.Stream();
-            var source = new TreeSource(new SampleReader(preview.Sample, "scan"));
+            var source = new TreeSource(CopyOf(preview.Sample));
             int number = stream.Add(source, StreamedTestCloud.Geo(source));
             stream.Settings.Selection.MinScreenErrorPx = 0;
             stream.Settings.Selection.MinNodePx = 0;
@@ -60,7 +67,7 @@ namespace FastPoints.Tests.Sources
             var none = TestBatches.New(0, TestBatches.Xyz(AttributeType.Int32));
             using var sample = new PreviewSample(none, PositionTransform.Identity);
             using var stream = StreamedTestCloud.Stream();
-            var source = new TreeSource(new SampleReader(sample, "scan"));
+            var source = new TreeSource(CopyOf(sample));
             stream.Add(source, StreamedTestCloud.Geo(source));
             Assert.That(StreamedTestCloud.Settle(stream, Camera(default)).DrawnPoints, Is.Zero);
         }
@@ -138,7 +145,7 @@ namespace FastPoints.Tests.Sources
                         preview.WaveReady += (sample, wave) =>
                         {
                             waves++;
-                            watched.Succession.Add(new TreeSource(new SampleReader(sample, "scan"), StoreLayout.ColorName));
+                            watched.Succession.Add(new TreeSource(CopyOf(sample), StoreLayout.ColorName));
                         };
                         watched.Run(preview.TakeSample(new StageProgress()));
                     }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using FastPoints.Reading;
+using FastPoints.Sources;
 using FastPoints.Tests.Reading;
 using FastPoints.Text;
 using NUnit.Framework;
@@ -187,7 +188,7 @@ namespace FastPoints.Tests.Text
                 "property float x", "property float y", "property float z");
             Append(file, format, true, 2u, (short)1, (short)2, 0u, 1f, 2f, 3f, 4f, 5f, 6f);
             file.Save();
-            using (var reader = PlyReader.Open(file.Path))
+            using (var reader = PointReaders.Open(file.Path))
             {
                 Assert.That(reader.BlocksAreKnown, Is.False);
                 JobCoroutine.RunToEnd(reader.IndexBlocks());
@@ -206,7 +207,7 @@ namespace FastPoints.Tests.Text
             for (int n = 0; n < 100; n++)
                 Append(file, format, true, (float)n, n * 0.5f, -(float)n, (byte)0);
             file.Save();
-            using var reader = PlyReader.Open(file.Path);
+            using var reader = PointReaders.Open(file.Path);
             JobCoroutine.RunToEnd(reader.IndexBlocks());
             Assert.That(reader.BlockCount, Is.EqualTo(1));
             using var read = reader.CreateRead(reader.Info.Schema.Select("X", "Y"), 40, Allocator.Persistent);
@@ -235,7 +236,7 @@ namespace FastPoints.Tests.Text
             for (int n = 0; n < 60; n++)
                 Append(file, format, true, (float)n, 0f, 0f);
             file.Save();
-            using var reader = PlyReader.Open(file.Path);
+            using var reader = PointReaders.Open(file.Path);
             JobCoroutine.RunToEnd(reader.IndexBlocks());
             var reads = new BlockRead[3];
             for (int i = 0; i < reads.Length; i++)
@@ -260,7 +261,7 @@ namespace FastPoints.Tests.Text
         public void CreateRead_AttributeMissingInTheFile_Throws()
         {
             using var file = Xyz("binary_little_endian", 1).Values(false, 1f, 2f, 3f).Save();
-            using var reader = PlyReader.Open(file.Path);
+            using var reader = PointReaders.Open(file.Path);
             var other = new PointSchema(new[] { new PointAttribute("Red", AttributeType.UInt8) });
             Assert.That(() => reader.CreateRead(other, 1, Allocator.Persistent), Throws.ArgumentException);
         }
@@ -327,7 +328,7 @@ namespace FastPoints.Tests.Text
         public void Open_CommentsAndElements_AreFacts()
         {
             using var file = Xyz("ascii", 0, "comment made by hand", "obj_info shift 5").Save();
-            using var reader = PlyReader.Open(file.Path);
+            using var reader = PointReaders.Open(file.Path);
             Assert.That(reader.Info.Format, Is.EqualTo("PLY"));
             Assert.That(reader.Info.Version, Is.EqualTo("1.0"));
             Assert.That(reader.Info.Facts, Does.Contain(new KeyValuePair<string, string>("comment", "made by hand")));
@@ -341,7 +342,7 @@ namespace FastPoints.Tests.Text
         public void Open_NoPositions_IsRefused(string element, string property, string message)
         {
             using var file = PlyTestFile.WithHeader("ascii", element, property, "property float z").Text("1 2\n").Save();
-            Failures.Of(() => PlyReader.Open(file.Path), FailureCode.BadInput, message);
+            Failures.Of(() => PointReaders.Open(file.Path), FailureCode.BadInput, message);
         }
 
         [Test]
@@ -349,7 +350,7 @@ namespace FastPoints.Tests.Text
         {
             using var file = new PlyTestFile("ply\nformat ascii 1.0\ncomment ");
             file.Raw(new byte[2 << 20]).Save();
-            Failures.Of(() => PlyReader.Open(file.Path), FailureCode.BadInput, "1048576");
+            Failures.Of(() => PointReaders.Open(file.Path), FailureCode.BadInput, "1048576");
         }
 
         [Test]
@@ -363,7 +364,7 @@ namespace FastPoints.Tests.Text
         public void Read_FileThatShrankSinceItWasOpened_IsTruncated()
         {
             using var file = Xyz("binary_little_endian", 1000).Raw(new byte[12000]).Save();
-            using var reader = PlyReader.Open(file.Path);
+            using var reader = PointReaders.Open(file.Path);
             using (var stream = new FileStream(file.Path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite))
                 stream.SetLength(5000);
             using var read = reader.CreateRead(reader.Info.Schema, 1000, Allocator.Persistent);
@@ -421,7 +422,7 @@ namespace FastPoints.Tests.Text
             for (int n = 0; n < 3; n++)
                 Append(file, format, true, (float)n, 0f, 0f, (byte)0);
             file.Save();
-            using var reader = PlyReader.Open(file.Path);
+            using var reader = PointReaders.Open(file.Path);
             var work = new CoroutineStack(reader.IndexBlocks());
             Assert.That(work.MoveNext(), Is.True);
             work.Dispose();

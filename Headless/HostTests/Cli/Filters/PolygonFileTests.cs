@@ -1,4 +1,4 @@
-namespace FastPoints.HostTests.Cli;
+namespace FastPoints.HostTests.Cli.Filters;
 
 public class PolygonFileTests
 {
