@@ -8,8 +8,7 @@ public struct Random
 {
     public uint state;
 
-    [MethodImpl(Inline)]
-    public Random(uint seed)
+    [MethodImpl(Inline)] public Random(uint seed)
     {
         state = seed;
         CheckInitState();
@@ -72,8 +71,7 @@ public struct Random
         return n ^ (n >> 15);
     }
 
-    [MethodImpl(Inline)]
-    private uint NextState()
+    [MethodImpl(Inline)] private uint NextState()
     {
         CheckState();
         uint t = state;
