@@ -112,7 +112,7 @@ public sealed class PictureVerb : Verb
             using PointReader reader = CloudFolder.IsCloud(cloud) ? ConvertedReader.Open(cloud)
                 : PointReaders.Open(cloud, source);
             points += reader.Info.PointsReadable;
-            bounds.Include(reader.Info.BoundsTrusted);
+            bounds.Include(reader.Info.BoundsIfFinite);
         }
         run.WarnEmpty(output, "to be seen", points, bounds, options.ClipBoxes);
     }

@@ -74,6 +74,17 @@ public class PointFilterTests
     }
 
     [Test]
+    public void Hash_OtherClips_IsAnother()
+    {
+        static ulong HashOf(params LocalClip[] clips) => new PointFilter { Clips = clips }.Hash;
+        var keeps = new LocalClip { ToBox = double3x3.identity };
+        var cuts = new LocalClip { ToBox = double3x3.identity, Cuts = true };
+        var moved = new LocalClip { ToBox = double3x3.identity, Offset = new double3(1, 0, 0) };
+        Assert.That(new[] { HashOf(), HashOf(keeps), HashOf(cuts), HashOf(moved), HashOf(keeps, cuts) }, Is.Unique);
+        Assert.That(HashOf(keeps, cuts), Is.EqualTo(HashOf(keeps, cuts)));
+    }
+
+    [Test]
     public void Polygon_PositionsWithoutANumber_AreOutside()
     {
         using (var batch = TestBatches.OfPositions(new double3(double.NaN, 1, 0), new double3(1, double.NaN, 0),

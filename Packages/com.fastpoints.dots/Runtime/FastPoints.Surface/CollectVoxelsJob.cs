@@ -12,13 +12,13 @@ namespace FastPoints.Surface
     internal unsafe struct CollectVoxelsJob : IJob
     {
         public const int PointsPerSlice = 100000; // A slice takes about a millisecond.
-        public const int StepsPerVoxel = 1024; // Of a voxel's edge: what is in a voxel is summed in these.
+        public const int SumStepsPerVoxel = 1024; // Of a voxel's edge: what is in a voxel is summed in these.
 
         public int First;
         public int End;
         public SurfaceGrid Grid;
         public int3 Cell;
-        public double3 Metres; // Metres of what positions are stored in.
+        public double3 StepMetres; // Of what positions are stored in.
         public ClassMask Hidden; // Points of these classes are left out.
         [ReadOnly] public NativeArray<double> X;
         [ReadOnly] public NativeArray<double> Y;
@@ -30,11 +30,11 @@ namespace FastPoints.Surface
         public void Execute()
         {
             long begin = SliceTimes.Begin();
-            int side = Grid.Side;
-            var scale = Metres * (StepsPerVoxel / Grid.VoxelMetres);
+            int side = Grid.SideWithMargins;
+            var scale = StepMetres * (SumStepsPerVoxel / Grid.VoxelMetres);
             // Rounded before it is moved to the cell, so that a point is at the same step in each.
-            var corner = (new double3(Cell.x, Cell.y, Cell.z) * Grid.CellVoxels - Grid.Margin) * StepsPerVoxel;
-            double end = (double)side * StepsPerVoxel;
+            var corner = (new double3(Cell.x, Cell.y, Cell.z) * Grid.CellEdgeVoxels - Grid.Margin) * SumStepsPerVoxel;
+            double end = (double)side * SumStepsPerVoxel;
             double* xs = (double*)X.GetUnsafeReadOnlyPtr(), ys = (double*)Y.GetUnsafeReadOnlyPtr(),
                 zs = (double*)Z.GetUnsafeReadOnlyPtr();
             var classes = Classes.Length == 0 ? null : (byte*)Classes.GetUnsafeReadOnlyPtr();
@@ -47,7 +47,8 @@ namespace FastPoints.Surface
                     classes != null && Hidden.Has(classes[i]))
                     continue;
                 uint sx = (uint)x, sy = (uint)y, sz = (uint)z;
-                int at = (int)(sx / StepsPerVoxel) + side * ((int)(sy / StepsPerVoxel) + side * (int)(sz / StepsPerVoxel));
+                int at = (int)(sx / SumStepsPerVoxel) +
+                    side * ((int)(sy / SumStepsPerVoxel) + side * (int)(sz / SumStepsPerVoxel));
                 if (surfelOf[at] == 0)
                 {
                     Memory.Voxels.Add(new SurfaceVoxel { At = at });
@@ -55,9 +56,9 @@ namespace FastPoints.Surface
                 }
                 var voxel = Memory.Voxels.GetUnsafePtr() + surfelOf[at] - 1;
                 voxel->Count++;
-                voxel->X += sx % StepsPerVoxel;
-                voxel->Y += sy % StepsPerVoxel;
-                voxel->Z += sz % StepsPerVoxel;
+                voxel->X += sx % SumStepsPerVoxel;
+                voxel->Y += sy % SumStepsPerVoxel;
+                voxel->Z += sz % SumStepsPerVoxel;
             }
             Times.End(begin);
         }

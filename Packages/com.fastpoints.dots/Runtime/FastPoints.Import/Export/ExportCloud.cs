@@ -242,7 +242,7 @@ namespace FastPoints.Export
                 }
                 finally
                 {
-                    ticket.Wait();
+                    ticket.WaitAndStopRetries();
                 }
             }
         }

@@ -164,7 +164,7 @@ namespace FastPoints.Nodes
                 return;
             Scratch.Nodes.ResizeUninitialized(m_state.NodeCount);
             for (int node = 0; node < m_state.NodeCount; node++)
-                Scratch.Nodes[node] = Describe(node, Scratch.FirstChild[node], Scratch.ChildCount[node]);
+                Scratch.Nodes[node] = NewRecord(node, Scratch.FirstChild[node], Scratch.ChildCount[node]);
             Scratch.Ranges.ResizeUninitialized(m_state.NodeCount * (Shapes.Length + 1));
             UnsafeUtility.MemClear(Scratch.Ranges.GetUnsafePtr(), (long)Scratch.Ranges.Length * sizeof(PlaneRange));
             File.ResizeUninitialized(FileHeader.SizeBytes);
@@ -295,7 +295,7 @@ namespace FastPoints.Nodes
             *(FileHeader*)File.GetUnsafePtr() = header;
         }
 
-        NodeRecord Describe(int node, int firstChild, int childCount)
+        NodeRecord NewRecord(int node, int firstChild, int childCount)
         {
             var draft = m_drafts[Scratch.DraftOfNode[node]];
             int parent = draft.Parent < 0 ? -1 : NodeOfDraft[draft.Parent];

@@ -65,7 +65,7 @@ namespace FastPoints.Streaming
                 foreach (var (column, to) in ColumnsOf(m_nodes.Planes[p]))
                     unpacked = new UnpackColumnJob
                     {
-                        Values = new PlaneValues
+                        Values = new ColumnUnpacker
                         {
                             Column = column,
                             Stored = p == 0 ? default
@@ -103,7 +103,7 @@ namespace FastPoints.Streaming
     {
         [ReadOnly] public NativeArray<byte> Plane;
         public PlaneShape Shape;
-        public PlaneValues Values; // Without its view.
+        public ColumnUnpacker Values; // Without its view.
         public int BlockCount;
         public bool IsPosition;
         public long Corner;
