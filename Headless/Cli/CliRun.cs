@@ -55,7 +55,7 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
 
     public void RunSteps(IEnumerator<JobStep> work) => JobCoroutine.RunToEnd(work, Cancellation);
 
-    public Failure? Try(Action work)
+    public Failure? TryInput(Action work)
     {
         try
         {
@@ -72,12 +72,12 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
         }
     }
 
-    public void Warn(SourceInfo info, bool isShown = false)
+    public void Warn(SourceInfo info, bool isAlreadyShown = false)
     {
         // Points that the file itself marks as invalid do not count.
         HasSourceWarnings |= info.Warnings.Count > (info.PointsMarkedInvalid > 0 ? 1 : 0);
         foreach (var warning in info.Warnings)
-            Warn(warning.ToString(), isShown);
+            Warn(warning.ToString(), isAlreadyShown);
     }
 
     internal void Report(IEnumerable<Loss> losses)
@@ -123,17 +123,17 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
             return new BoundsGeo(box.CenterWorld - half, box.CenterWorld + half);
         }
         IsEmpty = true;
-        Warn(output + ": no point is " + what + " of " + NumberFormat.Count(points) + ", which lie in " + NumberFormat.Box(bounds)
-            + (clips.Count == 0 ? "" : "; wanted "
+        Warn(output + ": no point is " + what + (points > 0 ? " of " + NumberFormat.Count(points) + ", which" : "; they")
+            + " lie in " + NumberFormat.Box(bounds) + (clips.Count == 0 ? "" : "; wanted "
             + string.Join(", ", clips.Select(c => (c.Cuts ? "not " : "") + NumberFormat.Box(Of(c))))));
     }
 
-    public void Warn(string line, bool isShown = false)
+    public void Warn(string line, bool isAlreadyShown = false)
     {
         if (!m_warned.Add(line))
             return;
         Warnings.Add(line);
-        if (!settings.IsQuiet && !isShown)
+        if (!settings.IsQuiet && !isAlreadyShown)
             error.WriteLine("fastpoints: warning: " + line);
     }
 }

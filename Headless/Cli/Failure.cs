@@ -37,7 +37,7 @@ public sealed class Failure
                 bool isMissingPart = p.Code == FailureCode.NotFound && inputs.Any(i => FolderOf(i) is { } folder
                     && p.Path.StartsWith(Path.TrimEndingDirectorySeparator(folder)
                         + (SourcePath.IsRemote(folder) ? '/' : Path.DirectorySeparatorChar), StringComparison.Ordinal));
-                bool isInput = p.IsBadInput || isMissingPart || (isAbsent && inputs.Contains(p.Path));
+                bool isInput = p.IsInputAtFault || isMissingPart || (isAbsent && inputs.Contains(p.Path));
                 return new Failure
                 {
                     Code = p.Code.ToString(),

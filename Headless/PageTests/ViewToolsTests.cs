@@ -365,7 +365,7 @@ public sealed class ViewToolsTests : BrowserTests
         reader.Info.ExtraSampledAttributes = columns;
         if (!reader.BlocksAreKnown)
             JobCoroutine.RunToEnd(reader.IndexBlocks());
-        using var sampler = new WaveSampler(reader, 100_000, 1);
+        using var sampler = new PreviewWaveSampler(reader, 100_000, 1);
         JobCoroutine.RunToEnd(sampler.Run(0, null));
         using var sample = sampler.TakeSample();
         var points = sample.Points;

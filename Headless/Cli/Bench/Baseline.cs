@@ -92,10 +92,10 @@ public sealed class BaselineRow(string name, IReadOnlyList<double> times, Sample
     const double CommonChange = 0.03;
 
     public string Name => name;
-    public IReadOnlyList<double> Times => times;
+    public IReadOnlyList<double> EarlierTimes => times;
     public SampleComparison? Time => time;
     public SampleComparison? Limit => limit;
-    public double? Error => error;
+    public double? EarlierError => error;
     public string Outcome => result;
 
     /// <summary>A workload without a limit is not called slower if all are: that may be the machine.</summary>

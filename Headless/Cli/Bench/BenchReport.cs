@@ -60,7 +60,7 @@ public static class BenchReport
             chart.Add(row.Name, row.Outcome, Interval(row.Time), Interval(row.Limit));
         page.Chart(chart);
         for (int i = 0; i < rows.Count; i++)
-            if (rows[i].Error is { } before && samples[i].HadInput && before != samples[i].MedianError)
+            if (rows[i].EarlierError is { } before && samples[i].HadInput && before != samples[i].MedianError)
                 page.Paragraph($"{rows[i].Name}: its error was {NumberFormat.FourDigits(before)}, now "
                     + $"{BenchTable.Error(samples[i])}.");
     }
@@ -91,14 +91,14 @@ public static class BenchReport
 
     static RowChart Times(string family, IReadOnlyList<(WorkloadSamples Samples, BaselineRow? Row)> workloads, bool isCompared)
     {
-        var ms = workloads.SelectMany(w => w.Samples.Ms.Concat(w.Row?.Times ?? [])).Where(v => v > 0).ToList();
+        var ms = workloads.SelectMany(w => w.Samples.Ms.Concat(w.Row?.EarlierTimes ?? [])).Where(v => v > 0).ToList();
         var chart = new RowChart("Time of one run: " + family, "milliseconds", "error",
             isCompared ? ["now", "earlier"] : ["now"])
         {
             LogX = ms.Count > 0 && ms.Max() / ms.Min() > WideRange,
         };
         foreach (var (samples, row) in workloads)
-            chart.Add(samples.Name, BenchTable.Error(samples), isCompared ? [samples.Ms, row!.Times] : [samples.Ms]);
+            chart.Add(samples.Name, BenchTable.Error(samples), isCompared ? [samples.Ms, row!.EarlierTimes] : [samples.Ms]);
         return chart;
     }
 

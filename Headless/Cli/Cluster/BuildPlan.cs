@@ -78,7 +78,7 @@ sealed class BuildPlan
         json.WriteNumber("version", Version);
         json.WriteString("store", Store);
         json.WriteNumber("tasks", Tasks);
-        json.WriteNumber("builds", Builds.Count);
+        json.WriteNumber("builds", Builds.BuildCount);
         json.WriteNumber("bucketTasks", BucketTasks);
         WriteMergeLevels(json);
         Estimate.Write(json);
@@ -91,9 +91,9 @@ sealed class BuildPlan
         json.WritePropertyName("firstBuilds");
         // On a line, not on one each.
         json.WriteRawValue("[" + string.Join(',', Builds.First) + "]");
-        json.WriteBoolean("wideRecords", Whole.Records.IsWide);
+        json.WriteBoolean("wideRecords", Whole.RecordLayout.IsWide);
         json.WritePropertyName("recordBase");
-        var at = Whole.Records.Base;
+        var at = Whole.RecordLayout.Base;
         PlanFile.WriteNumbers(json, at.X, at.Y, at.Z);
         if (Tiles != null)
             WriteTiles(json, Tiles);
@@ -157,7 +157,7 @@ sealed class BuildPlan
                 Points = json.NonNegative("points"),
                 PointsPerChunk = json.NonNegative("pointsPerChunk"),
                 Grid = cloud.Grid,
-                Records = new RecordLayout(json.Flag("wideRecords"), new Grid3(at[0], at[1], at[2]),
+                RecordLayout = new RecordLayout(json.Flag("wideRecords"), new Grid3(at[0], at[1], at[2]),
                     cloud.Attributes.BytesPerPoint),
                 Attributes = cloud.Attributes,
                 Divisors = cloud.Divisors,

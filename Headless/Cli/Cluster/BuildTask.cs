@@ -29,7 +29,7 @@ static class BuildTask
             .Order(StringComparer.Ordinal).ToArray();
         var records = new BucketRecords(task.Store, TaskMarker.ReadAll(task.Store, task.Plan, names, task.Missing), number);
         var result = task.Make(output => PartBuild.RunRecords(part, records.Count,
-            records.Fetch, output));
+            records.FetchInto, output));
         return task.Put(task.Files, result, records.Count);
     }
 
@@ -85,7 +85,7 @@ sealed class BucketRecords
     public long Count => m_ranges.Sum(r => r.Range.Count);
 
     /// <summary>Writes all into a file. Any thread.</summary>
-    public void Fetch(string path)
+    public void FetchInto(string path)
     {
         using (var to = FileChanges.OpenToWrite(path, FileMode.Create))
             foreach (var (name, range) in m_ranges)

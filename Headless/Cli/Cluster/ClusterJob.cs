@@ -8,11 +8,11 @@ sealed record ClusterJob(string Plan, IReadOnlyList<ClusterStage> Stages, PlanEs
     const double MemoryReserve = 1.25;
 
     public string Name { get; } = NameOf(Plan);
-    public long NodeMebibytes => (long)Math.Ceiling(Estimate.MemoryBytes * MemoryReserve / (256 << 20)) * 256;
+    public long TaskMebibytes => (long)Math.Ceiling(Estimate.MemoryBytes * MemoryReserve / (256 << 20)) * 256;
     public long ScratchGibibytes => (Estimate.ScratchBytes >> 30) + 1;
 
     /// <summary>Twice the estimate of one core, by halves of an hour: what is not done by then goes on.</summary>
-    public int LimitMinutes => Math.Max(1, (int)Math.Ceiling(2 * Estimate.TaskSeconds / 1800)) * 30;
+    public int TaskLimitMinutes => Math.Max(1, (int)Math.Ceiling(2 * Estimate.TaskSeconds / 1800)) * 30;
 
     public string Contents => string.Join(", ", Stages.Select(s => NumberFormat.Count(s.Tasks, s.Name + " task")));
 

@@ -17,7 +17,7 @@ static class KubernetesManifest
         ("name", job.Name), ("array", array.Name), ("stage", array.Stage.Name), ("tasks", array.Tasks),
         ("parallelism", Math.Min(array.Tasks, settings.AtOnce ?? 100)), ("attempts", settings.Attempts),
         ("image", JsonOf(settings.Image!)), ("command", Lines(Command(job, array, settings))), ("cores", settings.Cores),
-        ("mebibytes", job.NodeMebibytes), ("gibibytes", job.ScratchGibibytes), ("scratch", JsonOf(ScratchOf(settings))),
+        ("mebibytes", job.TaskMebibytes), ("gibibytes", job.ScratchGibibytes), ("scratch", JsonOf(ScratchOf(settings))),
         ("mount", VolumeMount(settings))) + Volume(settings);
 
     public static string ScratchOf(ClusterSettings settings) => settings.Scratch ?? "/scratch";

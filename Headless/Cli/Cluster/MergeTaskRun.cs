@@ -53,7 +53,7 @@ static class MergeTaskRun
         if (plan.BucketTasks == 0)
             records.AddOutside(TaskMarker.ReadAll(task.Store, plan, [.. plan.Builds.Names], task.Missing));
         task.Make(OutsideFolder, output => PartBuild.RunRecords(plan.Whole.OfOutside(found), records.Count,
-            records.Fetch, output));
+            records.FetchInto, output));
         return new PartInput
         {
             TopsPath = Path.Combine(task.Scratch[OutsideFolder], PartFile.TopsName),

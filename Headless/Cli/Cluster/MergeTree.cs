@@ -52,10 +52,10 @@ static class MergeTree
 
 /// <summary>Which task builds what: each some cubes, one after the other, in Morton order.</summary>
 /// <param name="First">By task, its first build.</param>
-sealed record BuildAssignment(long[] First, int Count)
+sealed record BuildAssignment(long[] First, int BuildCount)
 {
     public int Tasks => First.Length;
-    public IEnumerable<string> Names => Enumerable.Range(0, Count).Select(NameOf);
+    public IEnumerable<string> Names => Enumerable.Range(0, BuildCount).Select(NameOf);
 
     /// <param name="points">Of each build.</param>
     /// <param name="most">Points of a task of several.</param>
@@ -76,7 +76,7 @@ sealed record BuildAssignment(long[] First, int Count)
     }
 
     public IEnumerable<int> Of(int task) =>
-        Enumerable.Range((int)First[task], (int)((task + 1 < Tasks ? First[task + 1] : Count) - First[task]));
+        Enumerable.Range((int)First[task], (int)((task + 1 < Tasks ? First[task + 1] : BuildCount) - First[task]));
 
     public string NameOf(int build)
     {
@@ -91,7 +91,7 @@ static class TaskNames
     public static string Build(int task, int part) =>
         Of("build", task) + (part == 0 ? "" : "-" + part.ToString(CultureInfo.InvariantCulture));
     public static string Bucket(int number) => Of("bucket", number);
-    public static string Merge(int level, int number) => Of("merge-" + level.ToString(CultureInfo.InvariantCulture), number);
+    public static string Merge(int round, int number) => Of("merge-" + round.ToString(CultureInfo.InvariantCulture), number);
 
     static string Of(string what, int number) => what + "-" + number.ToString("d6", CultureInfo.InvariantCulture);
 }

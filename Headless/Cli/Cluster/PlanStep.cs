@@ -146,7 +146,7 @@ sealed class PlanStep
                 {
                     buckets.Add([]);
                     room = Math.Min(m_request.TaskPoints, (long)(MemoryOfBucket * m_request.MemoryBytes)
-                        / m_plan.Whole.Records.StrideBytes);
+                        / m_plan.Whole.RecordLayout.StrideBytes);
                 }
                 m_buckets[p] = (block == 0 ? buckets.Count - 1 : m_buckets[p].First, buckets.Count - 1);
                 var part = piece;
@@ -167,7 +167,7 @@ sealed class PlanStep
     {
         long points = m_reader.PointCount;
         double share = points / Math.Max(1, m_points.Sum());
-        return PlanEstimate.Of(points, m_plan.Whole.Records.StrideBytes, Enumerable.Range(0, builds.Tasks).Select(task =>
+        return PlanEstimate.Of(points, m_plan.Whole.RecordLayout.StrideBytes, Enumerable.Range(0, builds.Tasks).Select(task =>
             builds.Of(task).Select(b => kept[b]).Select(t =>
                 (m_points[t] * share, isBucketed ? (long)(m_points[t] * share) : reads[t].Points))), m_request.MemoryBytes,
             isBucketed);

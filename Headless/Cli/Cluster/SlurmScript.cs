@@ -4,8 +4,8 @@ namespace FastPoints.Cli.Cluster;
 static class SlurmScript
 {
     public static string Of(ClusterJob job, ClusterSettings settings) => EmbeddedText.Of("slurm.sh",
-        ("name", job.Name), ("contents", job.Contents), ("cores", settings.Cores), ("mebibytes", job.NodeMebibytes),
-        ("minutes", job.LimitMinutes), ("gibibytes", job.ScratchGibibytes),
+        ("name", job.Name), ("contents", job.Contents), ("cores", settings.Cores), ("mebibytes", job.TaskMebibytes),
+        ("minutes", job.TaskLimitMinutes), ("gibibytes", job.ScratchGibibytes),
         ("partition", settings.Queue == null ? "##SBATCH --partition=NAME" : "#SBATCH --partition=" + settings.Queue),
         ("program", Quoted(settings.Program)), ("plan", Quoted(job.Plan)), ("attempts", settings.Attempts),
         ("scratch", settings.Scratch == null ? "${SLURM_TMPDIR:-${TMPDIR:-/tmp}}" : Quoted(settings.Scratch)),

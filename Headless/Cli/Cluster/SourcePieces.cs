@@ -36,7 +36,7 @@ sealed class SourcePieces
         else if (reader.Tree != null)
             pieces.AddNodes(reader);
         else
-            pieces.Add(reader, new SourcePiece { Blocks = reader.BlockCount }, reader.Info.BoundsTrusted);
+            pieces.Add(reader, new SourcePiece { Blocks = reader.BlockCount }, reader.Info.BoundsIfFinite);
         if (pieces.Files.Count == 0)
             pieces.Files.Add((reader.Info.Path, reader.Info.FileBytes));
         return pieces;
@@ -47,7 +47,7 @@ sealed class SourcePieces
         Files.Capacity = Pieces.Capacity = tiles.TileCount;
         for (int t = 0; t < tiles.TileCount; t++)
         {
-            var tile = tiles.TileOf(t);
+            var tile = tiles.TileEntryOf(t);
             var (first, count) = tiles.BlocksOf(t);
             Files.Add((tile.Name, tile.FileBytes));
             Add(tiles, new SourcePiece { File = t, FirstOfAll = first, Blocks = count }, tiles.BoundsOf(t));

@@ -63,7 +63,7 @@ sealed class TaskMarker
             var marker = Parse(text, NameOf(task));
             return marker.m_plan == plan.Hash && marker.Task == task ? marker : null;
         }
-        catch (PointCloudException e) when (e.IsBadInput)
+        catch (PointCloudException e) when (e.IsInputAtFault)
         {
             return null;
         }

@@ -52,7 +52,7 @@ sealed class TaskSources : IDisposable
     void Add(JsonMembers source, string path, int tile)
     {
         var tiles = m_reader as TiledReader;
-        long bytes = tiles?.TileOf(tile).FileBytes ?? m_reader.Info.FileBytes;
+        long bytes = tiles?.TileEntryOf(tile).FileBytes ?? m_reader.Info.FileBytes;
         if (bytes != source.NonNegative("bytes"))
             throw PointCloudException.Wanted(FailureCode.BadInput, path, -1, "it was changed after it was planned: bytes",
                 source.NonNegative("bytes"), bytes);

@@ -48,7 +48,7 @@ public sealed class CameraPath
         return result;
     }
 
-    public static CameraPath Around(BoundsGeo bounds, UpAxis upAxis, int frames, double fovDegrees)
+    public static CameraPath Tour(BoundsGeo bounds, UpAxis upAxis, int frames, double fovDegrees)
     {
         upAxis.Directions(out var east, out var north, out var up);
         var path = new CameraPath(up, fovDegrees);

@@ -15,7 +15,7 @@ public sealed class DrawStep
     public static DrawStep Run(PointReader reader, PictureOptions options, long budget, CliRun run)
     {
         double begin = run.Seconds;
-        LookSettings.RequireColor(options, reader.Info.Schema, reader.Info.Path);
+        LookSettings.ResolveColor(options, reader.Info.Schema, reader.Info.Path);
         var draw = new DrawCloud(reader, options, budget);
         run.RunSteps(draw.Run(run.Progress));
         run.Warn(reader.Info);
@@ -33,7 +33,7 @@ public sealed class DrawStep
     {
         double begin = run.Seconds;
         using var folder = CloudFolder.Open(path);
-        LookSettings.RequireColor(options, folder.Manifest.Attributes, path);
+        LookSettings.ResolveColor(options, folder.Manifest.Attributes, path);
         var draw = new DrawConvertedCloud(folder, options, budget);
         run.RunSteps(draw.Run(run.Progress));
         return new DrawStep

@@ -15,7 +15,7 @@ public sealed class InputResults(IEnumerable<string> inputs)
     public void Run(CliRun run, Func<(Action<Utf8JsonWriter> WriteKeys, PointCounts Points)> work)
     {
         var entry = m_all[m_runCount++];
-        entry.Failure = run.Try(() => (entry.WriteKeys, entry.Points) = work());
+        entry.Failure = run.TryInput(() => (entry.WriteKeys, entry.Points) = work());
         run.Points.Add(entry.Points);
     }
 

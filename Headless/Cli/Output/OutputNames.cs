@@ -156,7 +156,7 @@ static class OutputNames
     }
 
     static List<SourceEntry> SourcesOf(PointReader reader) => reader is TiledReader tiles
-        ? Enumerable.Range(0, tiles.TileCount).Select(tiles.TileOf).ToList()
+        ? Enumerable.Range(0, tiles.TileCount).Select(tiles.TileEntryOf).ToList()
         : [new() { Name = reader.Info.Path, FileBytes = reader.Info.FileBytes, HeadHash = reader.Info.HeadHash }];
 
     // Octrees count their bytes while they are read.

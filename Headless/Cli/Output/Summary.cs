@@ -55,7 +55,7 @@ public static class Summary
         json.WriteInteger("cacheHits", RemoteStatistics.CacheHits);
     }
 
-    public static void WriteFile(string path, Action<Utf8JsonWriter> keys) => OutputFile.Write(path, ToBytes(keys));
+    public static void WriteJsonFile(string path, Action<Utf8JsonWriter> keys) => OutputFile.Write(path, ToBytes(keys));
 
     static byte[] ToBytes(Action<Utf8JsonWriter> keys)
     {

@@ -9,7 +9,7 @@ sealed class ConvertedCloudReport
 
     ConvertedCloudReport(string path) => m_facts = new ConvertedCloudFacts(path);
 
-    public string Page { get; private set; } = "";
+    public string ReportPath { get; private set; } = "";
     public PointCounts PointCounts => m_facts.PointCounts;
 
     public static ConvertedCloudReport Make(string path, (PictureOptions Options, bool IsPlain) look, long budget, string folder,
@@ -31,8 +31,8 @@ sealed class ConvertedCloudReport
         var view = ViewCloud.OfFlight([path], options, [options.Camera!.Value], 0, run);
         run.Progress.Group = null;
         string name = CloudName.Of(path);
-        var page = new ReportPage(name, "Converted cloud · " + CloudPage.UnitOf(report.m_facts.Manifest.Crs.Units)
-            + " · made by FastPoints " + CloudPage.Version + " on " + CloudPage.Today);
+        var page = new ReportPage(name, "Converted cloud · " + CloudReportPage.UnitOf(report.m_facts.Manifest.Crs.Units)
+            + " · made by FastPoints " + CloudReportPage.Version + " on " + CloudReportPage.Today);
         var cloud = report.m_facts.Manifest;
         var distribution = new CloudDistribution(view, options.UpAxis, cloud.Points, cloud.BoundsGeo);
         page.Tiles(distribution.Tiles().Concat([("coordinates", cloud.CrsName ?? "unknown"),
@@ -54,14 +54,14 @@ sealed class ConvertedCloudReport
         page.Row(distribution.Charts());
         page.Heading("Pictures");
         page.Row(report.m_pictures.Select(p =>
-            CloudPage.HalfSizePicture(p.Drawn.Image, p.Drawn.Describe() + ", " + p.Drawn.Device)));
+            CloudReportPage.HalfSizePicture(p.Drawn.Image, p.Drawn.Describe() + ", " + p.Drawn.Device)));
         page.Heading("What to do next");
-        page.Commands([("Fly over it", "fastpoints fly " + CloudPage.Quoted(path) + " -o flight"),
-            ("Prove that it is undamaged", "fastpoints verify " + CloudPage.Quoted(path)),
-            ("Points out again", "fastpoints export " + CloudPage.Quoted(path) + " -o part.laz")]);
+        page.Commands([("Fly over it", "fastpoints fly " + CloudReportPage.QuotedWithoutQuery(path) + " -o flight"),
+            ("Prove that it is undamaged", "fastpoints verify " + CloudReportPage.QuotedWithoutQuery(path)),
+            ("Points out again", "fastpoints export " + CloudReportPage.QuotedWithoutQuery(path) + " -o part.laz")]);
         page.Facts([("command", command), ("machine", Machine.Describe())]);
-        report.Page = Path.Combine(folder, "report.html");
-        OutputFile.Write(report.Page, page.ToBytes());
+        report.ReportPath = Path.Combine(folder, "report.html");
+        OutputFile.Write(report.ReportPath, page.ToBytes());
         return report;
     }
 
@@ -84,6 +84,6 @@ sealed class ConvertedCloudReport
             json.WriteReal("seconds", drawn.Seconds);
             json.WriteEndObject();
         }
-        json.WriteString("report", Page);
+        json.WriteString("report", ReportPath);
     }
 }

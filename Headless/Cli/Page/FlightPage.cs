@@ -15,7 +15,8 @@ static class FlightPage
         var view = ViewCloud.OfFlight(clouds, options, cameras, FramesPerCamera, run);
         run.Progress.End();
         string name = string.Join(", ", clouds.Select(c => SourcePath.NameOf(Path.TrimEndingDirectorySeparator(c))));
-        var page = new ReportPage("Flight over " + name, "Made by FastPoints " + CloudPage.Version + " on " + CloudPage.Today);
+        var page = new ReportPage("Flight over " + name,
+            "Made by FastPoints " + CloudReportPage.Version + " on " + CloudReportPage.Today);
         page.Tiles(
         [
             ("frames", NumberFormat.Count(log.Count)),

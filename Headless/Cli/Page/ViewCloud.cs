@@ -85,7 +85,7 @@ sealed class ViewCloud
                 Camera = cameras[0],
                 Path = every > 0 ? (cameras, every) : null,
                 Crs = crs,
-                Source = clouds.Length == 1 ? CloudPage.Quoted(cloud) : "",
+                Source = clouds.Length == 1 ? CloudReportPage.QuotedWithoutQuery(cloud) : "",
             };
             if (ranges.Full.IsEmpty)
                 continue;
@@ -121,11 +121,11 @@ sealed class ViewCloud
         return batch;
     }
 
-    static WaveSampler RunSampler(PointReader reader, int max, CliRun run)
+    static PreviewWaveSampler RunSampler(PointReader reader, int max, CliRun run)
     {
         if (!reader.BlocksAreKnown)
             run.RunSteps(reader.IndexBlocks());
-        var sampler = new WaveSampler(reader, max, 1);
+        var sampler = new PreviewWaveSampler(reader, max, 1);
         run.RunSteps(sampler.Run(0, null));
         return sampler;
     }

@@ -81,7 +81,7 @@ sealed class BucketBuild : PartStages
     {
         var ranges = new List<BucketRange>();
         long offset = 0;
-        for (int part = 0; part <= Build.Map.Outside; part++)
+        for (int part = 0; part <= Build.Map.OutsideChunk; part++)
         {
             long count = Build.Files?.RecordsOf(part) ?? Scatter.Chunks[part].RecordCount;
             long bytes = Build.Files?.BlocksOf(part).Bytes ?? 0;
@@ -100,7 +100,7 @@ sealed class BucketBuild : PartStages
             Statistics = Scatter.Statistics,
             Attributes = Scatter.Attributes,
             OwnBlockPoints = Checkpoints.Journal.OwnBlockPoints,
-            OutsidePoints = ranges.Count > 0 && ranges[ranges.Count - 1].Part == Build.Map.Outside
+            OutsidePoints = ranges.Count > 0 && ranges[ranges.Count - 1].Part == Build.Map.OutsideChunk
                 ? ranges[ranges.Count - 1].Count : 0,
         };
         yield return JobStep.Of(PartFile.Write(Build.Folder, Build.Part.Cube, Build.CloudId, merge, result));

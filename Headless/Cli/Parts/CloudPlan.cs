@@ -36,7 +36,7 @@ sealed class CloudPlan
             Points = build.Points,
             PointsPerChunk = build.Plan.PointsPerChunk,
             Grid = build.Grid.Grid,
-            Records = build.Records,
+            RecordLayout = build.RecordLayout,
             Attributes = build.Attributes,
             Divisors = divisors,
             CloudCube = build.Map.Cube,

@@ -83,7 +83,7 @@ sealed class PartBuild : PartStages
         using var part = open();
         var build = part.Build;
         build.Progress?.Begin(BuildStages.Sample);
-        yield return JobStep.Of(part.Partition());
+        yield return JobStep.Of(part.PlanPartition());
         yield return JobStep.Of(part.Resume());
         build.Progress?.Begin(BuildStages.Read);
         if (part.Checkpoints.Journal.CurrentStage == BuildJournal.Stage.Read)
@@ -101,7 +101,7 @@ sealed class PartBuild : PartStages
         base.Dispose();
     }
 
-    IEnumerator<JobStep> Partition()
+    IEnumerator<JobStep> PlanPartition()
     {
         var part = Build.Part;
         var samples = new List<SourceSample>();
@@ -141,7 +141,7 @@ sealed class PartBuild : PartStages
         yield return JobStep.Of(Build.Folder.Run(BuildFiles.RecordPath(0), file =>
         {
             m_fetch(file);
-            blocks = RecordBlocks.Read(file, Build.Records.StrideBytes);
+            blocks = RecordBlocks.Read(file, Build.RecordLayout.StrideBytes);
         }));
         if (blocks!.Records != Build.Points)
             throw PointCloudException.Wanted(FailureCode.ReadFailed, path, -1, "points of the part", Build.Points,
@@ -157,7 +157,7 @@ sealed class PartBuild : PartStages
             Min = cube.Corner,
             Max = cube.Corner + new Grid3(cube.Side - 1, cube.Side - 1, cube.Side - 1),
         });
-        Scatter.Resume(Checkpoints.Journal);
+        Scatter.RestoreStatistics(Checkpoints.Journal);
     }
 
     IEnumerator<JobStep> Load(RecordBlocks blocks)
@@ -176,7 +176,7 @@ sealed class PartBuild : PartStages
             {
                 SliceTimes = Build.SliceTimes,
                 Pages = pages,
-                Layout = Build.Records,
+                Layout = Build.RecordLayout,
                 Cube = Build.Part.Cube,
                 Outside = outside,
             }, default);
@@ -225,7 +225,7 @@ sealed class PartBuild : PartStages
         result.Include(merge.MinSideLog2, merge.BytesOfPlane);
         string outside = Build.Folder.PathOf(BuildFiles.OutsideName);
         if (System.IO.File.Exists(outside))
-            result.OutsidePoints = RecordBlocks.Read(outside, Build.Records.StrideBytes).Records;
+            result.OutsidePoints = RecordBlocks.Read(outside, Build.RecordLayout.StrideBytes).Records;
         yield return JobStep.Of(PartFile.Write(Build.Folder, part.Cube, part.CloudId, merge, result));
         yield return JobStep.Of(Build.Folder.Complete());
         take(result);

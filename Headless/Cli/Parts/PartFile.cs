@@ -29,7 +29,7 @@ static class PartFile
                 yield return JobStep.Of(AddTable(file, region.Subtree, planeCount, attachPoints.Of(region), nodes.Regions));
             attachPoints.AddInputs(merge, inputs, nodes.Inputs);
             yield return JobStep.Of(file.Finish(nodes.EntriesToBytes()));
-            header.NodesHash = file.Hash;
+            header.NodesHash = file.HeaderHash;
         }
         header.Magic = PartHeader.TopsMagic;
         using (var file = new PartFileWriter(folder, TopsName, header, new byte[0]))
@@ -55,7 +55,7 @@ static class PartFile
     {
         var header = PartHeader.Read(path, PartHeader.NodesMagic, cloudId, out byte[] facts);
         var nodes = PartNodes.OfFacts(path, facts);
-        nodes.Hash = header.Hash;
+        nodes.Hash = header.HeaderHash;
         nodes.ReadEntries(path, header);
         return nodes;
     }
@@ -66,8 +66,8 @@ static class PartFile
     {
         var nodes = PartHeader.Read(input.NodesPath, PartHeader.NodesMagic, cloudId, out byte[] facts);
         var header = PartHeader.Read(input.TopsPath, PartHeader.TopsMagic, cloudId, out _);
-        PartHeader.Check(input.TopsPath, 32, "hash of " + input.NodesPath, nodes.Hash, header.NodesHash);
-        var tops = new PartTops { NodesHash = nodes.Hash, Result = PartNodes.OfFacts(input.NodesPath, facts).Result };
+        PartHeader.Check(input.TopsPath, 32, "hash of " + input.NodesPath, nodes.HeaderHash, header.NodesHash);
+        var tops = new PartTops { NodesHash = nodes.HeaderHash, Result = PartNodes.OfFacts(input.NodesPath, facts).Result };
         tops.ReadEntries(input.TopsPath, header, strideBytes);
         return tops;
     }

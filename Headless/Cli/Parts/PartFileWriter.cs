@@ -13,7 +13,7 @@ unsafe struct PartHeader
     const int MaxFactBytes = 1 << 20;
 
     /// <summary>Of all behind it up to the pieces. It tells one part.nodes from all others.</summary>
-    [FieldOffset(0)] public ulong Hash;
+    [FieldOffset(0)] public ulong HeaderHash;
     [FieldOffset(8)] public ulong Magic;
     [FieldOffset(16)] public int Version;
     [FieldOffset(20)] public int FactBytes;
@@ -40,7 +40,7 @@ unsafe struct PartHeader
                 header.FactBytes);
         using (var start = StoreFile.Read(path, 0, SizeBytes + header.FactBytes, Allocator.Persistent))
         {
-            StoreFile.CheckHash(path, 0, start.GetSubArray(sizeof(ulong), start.Length - sizeof(ulong)), header.Hash);
+            StoreFile.CheckHash(path, 0, start.GetSubArray(sizeof(ulong), start.Length - sizeof(ulong)), header.HeaderHash);
             facts = start.GetSubArray(SizeBytes, header.FactBytes).ToArray();
         }
         Check(path, 24, "cloud", cloudId, header.CloudId);
@@ -91,7 +91,7 @@ sealed unsafe class PartFileWriter : IDisposable
 
     public long Offset => m_written + m_bytes.Length; // Where the next piece comes.
 
-    public ulong Hash => m_header.Hash;
+    public ulong HeaderHash => m_header.HeaderHash;
 
     public IEnumerator<JobStep> Add(NativeArray<byte> piece)
     {
@@ -108,7 +108,7 @@ sealed unsafe class PartFileWriter : IDisposable
         Append(entries);
         yield return JobStep.Of(Flush());
         StoreHeader();
-        m_header.Hash = ContentHash.Of(new ReadOnlySpan<byte>(m_start, sizeof(ulong), m_start.Length - sizeof(ulong)));
+        m_header.HeaderHash = ContentHash.Of(new ReadOnlySpan<byte>(m_start, sizeof(ulong), m_start.Length - sizeof(ulong)));
         StoreHeader();
         using var start = new NativeArray<byte>(m_start, Allocator.Persistent);
         yield return JobStep.Of(CloudFolderWriter.Await(m_folder.Seal(m_name, start)));

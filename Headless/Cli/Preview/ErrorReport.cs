@@ -41,8 +41,8 @@ public static class ErrorReport
         page.Heading("What is measured");
         page.Facts(step.Curves.Select(c => (c.Name, c.Description)));
         page.Facts(Definitions(step));
-        step.Page = Path.Combine(folder, "report.html");
-        OutputFile.Write(step.Page, page.ToBytes());
+        step.ReportPath = Path.Combine(folder, "report.html");
+        OutputFile.Write(step.ReportPath, page.ToBytes());
     }
 
     static IEnumerable<(byte[], string)> Pictures(ErrorStep step, int points, string folder)

@@ -18,7 +18,7 @@ public sealed class ErrorStep
     public long PointsInCloud => m_comparison.PointCount;
     public RgbaImage[] FullViews => m_comparison.FullViews;
     internal ImageError Floor => m_comparison.Floor;
-    public string? Page { get; set; }
+    public string? ReportPath { get; set; }
     public ErrorCurve? Ours => Curves.FirstOrDefault(c => c.Name == OursName);
     public ErrorWave? Last => Ours?.Waves.LastOrDefault();
 
@@ -231,7 +231,7 @@ public sealed class ErrorStep
         }
         json.WriteEndArray();
         json.WriteEndObject();
-        json.WriteString("report", Page);
+        json.WriteString("report", ReportPath);
     }
 
     static void WriteValues(Utf8JsonWriter json, ErrorWave wave)

@@ -20,7 +20,7 @@ public sealed class PreviewStep
     public static PreviewStep Run(PointReader reader, PreviewOptions options, CliRun run)
     {
         double begin = run.Seconds;
-        LookSettings.RequireColor(options.Picture, reader.Info.Schema, reader.Info.Path);
+        LookSettings.ResolveColor(options.Picture, reader.Info.Schema, reader.Info.Path);
         using var preview = new PreviewPicture(reader, options);
         var slices = JobDurations.Measure(() => run.RunSteps(preview.Run(run.Progress)));
         run.Warn(reader.Info);

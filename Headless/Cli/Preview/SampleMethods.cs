@@ -12,7 +12,7 @@ public sealed class SampleMethods(Func<PointReader> open, PreviewOptions options
         bool refines = PreviewSampling.Refines(reader);
         int wanted = refines ? RefiningSampler.FirstSamplePoints(reader, options.Points) : options.Points;
         var watch = Stopwatch.StartNew();
-        using var sampler = new WaveSampler(reader, wanted, options.Seed);
+        using var sampler = new PreviewWaveSampler(reader, wanted, options.Seed);
         run.RunSteps(sampler.Run(0, run.Progress));
         var sample = sampler.TakeSample();
         foreach (var wave in sampler.Waves)

@@ -26,7 +26,7 @@ static class DerivedCloud
                 using (var content = StoreFile.Read(path, 0, StoreFile.SizeOf(path), Allocator.Persistent))
                     yield return JobStep.Of(CloudFolderWriter.Await(to.Write(name, content)));
         using (var written = CloudFolder.Open(to.PathOf(""), manifest))
-            foreach (var _ in written.LoadAll())
+            foreach (var _ in written.EachTable())
                 yield return default;
         yield return JobStep.Of(to.WriteText(StoreFormat.ManifestName, manifest.ToJson()));
         yield return JobStep.Of(to.Complete());

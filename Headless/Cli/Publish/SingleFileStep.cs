@@ -7,7 +7,7 @@ sealed unsafe class SingleFileStep : IDisposable
     readonly CloudFolder m_cloud;
     readonly StageProgress m_progress;
     readonly CloudFolderWriter m_to;
-    readonly FilePieces m_file;
+    readonly PieceFileWriter m_file;
     readonly Dictionary<string, long> m_shiftOfFile = [];
     readonly List<(string Path, ContainerRecord Container)> m_containers = [];
     long m_planesEnd = FileHeader.SizeBytes;
@@ -17,7 +17,7 @@ sealed unsafe class SingleFileStep : IDisposable
         m_cloud = cloud;
         m_progress = progress;
         m_to = new CloudFolderWriter(target);
-        m_file = new FilePieces(m_to, StoreFormat.SingleFileName);
+        m_file = new PieceFileWriter(m_to, StoreFormat.SingleFileName);
     }
 
     public static IEnumerator<JobStep> Run(string folder, string target, StageProgress progress)
@@ -57,23 +57,23 @@ sealed unsafe class SingleFileStep : IDisposable
         long points = 0;
         byte[] buffer = [];
         int page = 0;
-        foreach (var table in m_cloud.LoadAll())
+        foreach (var table in m_cloud.EachTable())
         {
             if (table.Nodes.Length > 0)
             {
-                string path = m_cloud.PathOf(page), ofComputed = m_cloud.PathOfComputed(page);
-                Place(path, m_cloud.ContainerOf(page));
+                string path = m_cloud.PlanesPathOf(page), ofComputed = m_cloud.PathOfComputed(page);
+                Place(path, m_cloud.PlanesContainerOf(page));
                 Place(ofComputed, m_cloud.ContainerOfComputed(page));
                 using var built = OpenHandle(path);
                 using var computed = OpenHandle(ofComputed);
-                for (int i = 0; i < table.Planes.Length; i++)
+                for (int i = 0; i < table.PlaneRanges.Length; i++)
                 {
-                    var range = table.Planes[i];
+                    var range = table.PlaneRanges[i];
                     var file = IsComputed(i % table.PlaneCount) ? computed : built;
                     if (buffer.Length < range.LengthBytes)
                         buffer = new byte[range.LengthBytes];
                     var bytes = buffer.AsSpan(0, (int)range.LengthBytes);
-                    FilePieces.Read(file, path, range.OffsetBytes, bytes);
+                    PieceFileWriter.Read(file, path, range.OffsetBytes, bytes);
                     if (range.LengthBytes > 0 && ContentHash.Of(bytes) is var hash && hash != range.Hash)
                         throw new PointCloudException(FailureCode.BadInput, file == built ? path : ofComputed,
                             range.OffsetBytes, "a plane is damaged: " + StoreFile.HashProblem(range.Hash, hash));
@@ -104,7 +104,7 @@ sealed unsafe class SingleFileStep : IDisposable
             using var file = OpenHandle(path);
             for (long at = FileHeader.SizeBytes; at < container.FileBytes;)
             {
-                int count = (int)Math.Min(FilePieces.BytesPerPiece, container.FileBytes - at);
+                int count = (int)Math.Min(PieceFileWriter.BytesPerPiece, container.FileBytes - at);
                 m_file.Append(file, path, at, count);
                 at += count;
                 done += count;
@@ -163,7 +163,7 @@ sealed unsafe class SingleFileStep : IDisposable
             if (range.LengthBytes == 0)
                 continue;
             range.OffsetBytes += m_shiftOfFile[IsComputed(r % header.PlaneCount) ? m_cloud.PathOfComputed(page)
-                : m_cloud.PathOf(page)];
+                : m_cloud.PlanesPathOf(page)];
             view.Ranges[r] = new PackedRange(range);
         }
         for (int l = 0; l < header.LinkCount; l++)

@@ -9,7 +9,7 @@ public sealed class LookSettings
 
     public LookSettings(Command command) => command.Add(m_style, m_up, m_plain);
 
-    public static void RequireColor(PictureOptions options, PointSchema schema, string path)
+    public static void ResolveColor(PictureOptions options, PointSchema schema, string path)
     {
         if (options.ColorAttribute is { } asked)
             options.ColorAttribute = schema.Select(a => a.Name)
@@ -27,7 +27,7 @@ public sealed class LookSettings
     /// <summary>The same for streamed clouds, whose shaders support only some attributes.</summary>
     public static void RequireStreamable(PictureOptions options, PointSchema schema, string path)
     {
-        RequireColor(options, schema, path);
+        ResolveColor(options, schema, path);
         if (options.ColorAttribute is { } name)
             throw new UsageException("--style: colours by " + name + " are for pictures of one cloud, whole and without --gpu");
     }

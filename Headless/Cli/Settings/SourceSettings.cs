@@ -31,7 +31,7 @@ public sealed class SourceSettings
             throw new UsageException("--crs: wanted EPSG:2229, WKT or a PROJ string, got " + crs);
         if (parsed.GetValue(m_unit) is { } unit)
         {
-            options.MetresPerUnit = CrsText.UnitOf(unit);
+            options.MetresPerUnit = CrsText.MetresOfUnit(unit);
             if (options.MetresPerUnit == 0)
                 throw new UsageException("--unit: wanted m, ft, us-ft, another name of PROJ's or its metres, got " + unit);
         }

@@ -28,7 +28,7 @@ public sealed class ConvertedCloudFacts
         m_manifest = folder.Manifest;
         StoredFacts.AddTo(m_source, folder);
         var bytesOfPlane = new long[folder.Layout.Planes.Count];
-        foreach (var table in folder.LoadAll())
+        foreach (var table in folder.EachTable())
             Add(table, bytesOfPlane);
         m_bytes = SourcePath.IsRemote(path) ? folder.Files().Sum(file => file.Bytes)
             : Directory.GetFiles(folder.FolderPath, "*", SearchOption.AllDirectories).Sum(f => new FileInfo(f).Length);
@@ -61,8 +61,8 @@ public sealed class ConvertedCloudFacts
             if (node.HasSpacing && (level.Spacing == 0 || spacing < level.Spacing))
                 level.Spacing = spacing;
         }
-        for (int i = 0; i < table.Planes.Length; i++)
-            bytesOfPlane[i % table.PlaneCount] += table.Planes[i].LengthBytes;
+        for (int i = 0; i < table.PlaneRanges.Length; i++)
+            bytesOfPlane[i % table.PlaneCount] += table.PlaneRanges[i].LengthBytes;
     }
 
     public void Write(TextWriter writer)

@@ -48,7 +48,7 @@ public sealed class SourceFacts(PointReader reader)
         yield return ("crs", Info.Crs.Summary ?? "unknown");
         if (AxesOf(Info.Crs.ToCloudCrs()) is var (kind, axes))
             yield return ("axes", axes + ", " + kind + "; coordinates are never swapped for them");
-        yield return ("unit", UnitOf(Info.Crs.Units, Info.BoundsTrusted));
+        yield return ("unit", UnitOf(Info.Crs.Units, Info.BoundsIfFinite));
         if (Info.GpsTime.Kind != GpsTimeKind.Unknown)
             yield return ("GPS times", Info.GpsTime.ToString());
         ReadTree();
@@ -300,7 +300,7 @@ public sealed class SourceFacts(PointReader reader)
                 hasRange ? Found!.Columns[i].Max : double.NaN);
         }
         json.WriteEndArray();
-        WriteCrs(json, Info.Crs.ToCloudCrs(), Info.BoundsTrusted);
+        WriteCrs(json, Info.Crs.ToCloudCrs(), Info.BoundsIfFinite);
         WriteGpsTime(json, Info.GpsTime);
         WriteFacts(json, Info);
         WriteTree(json);

@@ -17,7 +17,7 @@ sealed class SurfaceMesh(SurfaceGrid grid)
         var vertices = builder.Vertices;
         var numbers = new int[vertices.Length];
         var own = (Vertices: new List<double3>(vertices.Length), Triangles: new List<int3>(builder.Triangles.Length));
-        long cellSteps = (long)grid.CellVoxels * SurfaceGrid.StepsPerVoxel;
+        long cellSteps = (long)grid.CellEdgeVoxels * SurfaceGrid.StepsPerVoxel;
         (long X, long Y, long Z) PlaceOf(int vertex) => (cell.x * cellSteps + vertices[vertex].x,
             cell.y * cellSteps + vertices[vertex].y, cell.z * cellSteps + vertices[vertex].z);
 
@@ -52,7 +52,7 @@ sealed class SurfaceMesh(SurfaceGrid grid)
     bool IsNearFace(int3 steps)
     {
         const int reach = ReachVoxels * SurfaceGrid.StepsPerVoxel;
-        int end = grid.CellVoxels * SurfaceGrid.StepsPerVoxel;
+        int end = grid.CellEdgeVoxels * SurfaceGrid.StepsPerVoxel;
         return math.any(steps < reach) || math.any(steps > end - reach);
     }
 }

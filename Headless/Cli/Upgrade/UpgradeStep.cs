@@ -81,7 +81,7 @@ sealed unsafe class UpgradeStep : IDisposable
     IEnumerator<JobStep> Copy(string from, ContainerRecord container, long points)
     {
         string name = StoreFormat.PathOf(container);
-        using var pieces = new FilePieces(m_to, name);
+        using var pieces = new PieceFileWriter(m_to, name);
         using (var file = File.OpenHandle(from))
             foreach (var (range, _) in m_moves)
             {
@@ -110,14 +110,14 @@ sealed unsafe class UpgradeStep : IDisposable
             (bytes, offset) => CloudFolderWriter.Await(m_to.WritePiece(name, bytes, offset)));
         PageLink root = default;
         yield return JobStep.Of(pages.Write(m_upper!.Root, link => root = link));
-        if (root.PointCount != manifest.Points || root.NodeCount != manifest.NodeCount)
+        if (root.SubtreePointCount != manifest.Points || root.SubtreeNodeCount != manifest.NodeCount)
             throw new PointCloudException(FailureCode.BadInput, m_old.UpperPath, -1, "wanted " + manifest.Points + " points in "
-                + manifest.NodeCount + " nodes, got " + root.PointCount + " in " + root.NodeCount);
+                + manifest.NodeCount + " nodes, got " + root.SubtreePointCount + " in " + root.SubtreeNodeCount);
         manifest.RootOffset = root.OffsetBytes;
         manifest.RootBytes = root.LengthBytes;
         manifest.RootHash = root.Hash;
         manifest.HierarchyBytes = pages.Offset;
-        using var none = new FilePieces(m_to, name);
+        using var none = new PieceFileWriter(m_to, name);
         yield return JobStep.Of(none.Seal(new FileHeader
         {
             Magic = StoreFormat.HierarchyMagic,

@@ -54,19 +54,19 @@ sealed unsafe class UpperParts : IDisposable
     void Divide()
     {
         var nodes = m_table.Nodes;
-        var known = new Dictionary<(int Above, int SampledWith), int>();
+        var known = new Dictionary<(int Above, int SamplingGroup), int>();
         for (int i = 0; i < m_table.NodeCount; i++)
         {
             int parent = nodes[i].Parent, part;
             bool isInlined = nodes[i].PlaneNode != i;
-            if (parent >= 0 && (isInlined || nodes[parent].SampledWith == nodes[i].SampledWith))
+            if (parent >= 0 && (isInlined || nodes[parent].SamplingGroup == nodes[i].SamplingGroup))
             {
                 part = m_partOf[parent];
             }
-            else if (!known.TryGetValue((parent, nodes[i].SampledWith), out part))
+            else if (!known.TryGetValue((parent, nodes[i].SamplingGroup), out part))
             {
-                known.Add((parent, nodes[i].SampledWith), part = m_parts.Count);
-                m_parts.Add((new Subtree { SampledWith = nodes[i].SampledWith }, parent, []));
+                known.Add((parent, nodes[i].SamplingGroup), part = m_parts.Count);
+                m_parts.Add((new Subtree { SamplingGroup = nodes[i].SamplingGroup }, parent, []));
             }
             m_partOf[i] = part;
             m_indexIn[i] = m_parts[part].Nodes.Count;

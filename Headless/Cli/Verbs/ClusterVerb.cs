@@ -63,7 +63,7 @@ public sealed class ClusterVerb : Verb
         {
             Slurm => SlurmScript.Of(job, settings),
             Kubernetes => KubernetesManifest.Of(job, settings),
-            _ => BatchScript.Of(job, settings),
+            _ => AwsBatchScript.Of(job, settings),
         }).ReplaceLineEndings("\n"));
     }
 

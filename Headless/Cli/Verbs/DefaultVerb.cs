@@ -61,7 +61,8 @@ public sealed class DefaultVerb : Verb
         bool keeps = files.Length > 0 || parsed.GetValue(m_keep);
         for (int i = 0; i < clouds.Length; i++)
             Report.Refuse(folders[i], clouds[i][0], run.Settings.IsForced);
-        string command = string.Join(' ', parsed.Tokens.Select(t => CloudPage.Quoted(t.Value)).Prepend("fastpoints"));
+        string command = string.Join(' ', parsed.Tokens.Select(t => CloudReportPage.QuotedWithoutQuery(t.Value))
+            .Prepend("fastpoints"));
         var all = new InputResults(clouds.Select(c => c[0]));
         run.WriteKeys = all.WriteKeys;
         var pages = new List<string>();
@@ -88,7 +89,7 @@ public sealed class DefaultVerb : Verb
                         Report.Mark(folder, only);
                         var stored = ConvertedCloudReport.Make(only, (Look(), isPlain), Report.GpuPoints, folder, command, run);
                         Report.WriteSummary(folder, only, stored.WriteKeys, stored.PointCounts);
-                        pages.Add(stored.Page);
+                        pages.Add(stored.ReportPath);
                         return (stored.WriteKeys, stored.PointCounts);
                     }
                     var report = Report.Make(cloud, source, (Look(), isPlain), (folder, keeps), command, run);
@@ -174,7 +175,7 @@ public sealed class DefaultVerb : Verb
             OutputFile.MakeFolder(folder);
             if (IsFinished(folder, file))
                 return;
-            Summary.WriteFile(Path.Combine(folder, SummaryName), json => json.WriteString("input", NameIn(file)));
+            Summary.WriteJsonFile(Path.Combine(folder, SummaryName), json => json.WriteString("input", NameIn(file)));
         }
 
         static string NameIn(string file) => SourcePath.WithoutQuery(SourcePath.Full(file));
@@ -212,7 +213,7 @@ public sealed class DefaultVerb : Verb
         }
 
         public static void WriteSummary(string folder, string file, Action<Utf8JsonWriter> writeKeys, PointCounts counts) =>
-            Summary.WriteFile(Path.Combine(folder, SummaryName), json =>
+            Summary.WriteJsonFile(Path.Combine(folder, SummaryName), json =>
             {
                 json.WriteString("input", NameIn(file));
                 writeKeys(json);
@@ -232,8 +233,8 @@ public sealed class DefaultVerb : Verb
             facts.Write(run.Out);
             run.Out.WriteLine();
             run.Out.Flush();
-            run.Warn(reader.Info, isShown: true);
-            LookSettings.RequireColor(look.Options, reader.Info.Schema, reader.Info.Path);
+            run.Warn(reader.Info, isAlreadyShown: true);
+            LookSettings.ResolveColor(look.Options, reader.Info.Schema, reader.Info.Path);
             Mark(folder, file);
 
             string previewPath = Path.Combine(folder, "preview.png"), picturePath = Path.Combine(folder, "picture.png");
@@ -259,7 +260,7 @@ public sealed class DefaultVerb : Verb
             // Before the GPU: a software one keeps its memory to the end.
             run.Progress.Group = PageGroup;
             var view = ViewCloud.OfSource(() => PointReaders.Open(files, source),
-                target.IsKept ? string.Join(' ', files.Select(CloudPage.Quoted)) : "", cloudPath, picture, run);
+                target.IsKept ? string.Join(' ', files.Select(CloudReportPage.QuotedWithoutQuery)) : "", cloudPath, picture, run);
             run.Progress.Group = "gpu";
             var gpu = HeadlessGraphics.IsAvailable && picture.ColorAttribute == null
                 ? DrawStep.RunOnGpu([cloudPath], picture, GpuPoints, run) : null;
@@ -269,7 +270,7 @@ public sealed class DefaultVerb : Verb
             run.Out.WriteLine("  gpu      " +
                 (gpu != null ? gpu.Describe() + ", " + gpu.Device : "no picture: " + HeadlessGraphics.UnsupportedReason));
             run.Out.WriteLine();
-            var page = new CloudPage
+            var page = new CloudReportPage
             {
                 Name = files.Length > 1 ? reader.Info.ShownPath : NameOf(file),
                 Command = command,

@@ -98,7 +98,7 @@ public sealed class FlyVerb : Verb
         var bounds = AddClouds(clouds, stream, picture, run.Cancellation);
         options.UpAxis.Directions(out _, out _, out var up);
         var path = parsed.GetValue(m_path) is { } file ? CameraPath.Read(file, up, options.FovDegrees)
-            : CameraPath.Around(bounds, options.UpAxis, requested > 0 ? requested : DefaultFrames, options.FovDegrees);
+            : CameraPath.Tour(bounds, options.UpAxis, requested > 0 ? requested : DefaultFrames, options.FovDegrees);
         int frames = requested > 0 ? requested : path.FrameCount;
 
         var log = new FlightLog(frames);

@@ -64,7 +64,7 @@ public sealed class InfoVerb : Verb
         }
         facts.Write(run.Out);
         run.Out.WriteLine();
-        run.Warn(reader.Info, isShown: true);
+        run.Warn(reader.Info, isAlreadyShown: true);
         return (facts.WriteKeys, facts.PointCounts);
     }
 }

@@ -73,7 +73,7 @@ public sealed class PreviewVerb : Verb
             run.Out.WriteLine();
             error.ToTable().Write(run.Out, "  ");
             run.Out.WriteLine();
-            run.Out.WriteLine(error.Page);
+            run.Out.WriteLine(error.ReportPath);
             return;
         }
         StageTable.Of(run.Progress).Write(run.Out, "  ");

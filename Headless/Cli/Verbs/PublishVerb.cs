@@ -72,7 +72,7 @@ public sealed class PublishVerb : Verb
             if (SourcePath.Combine(cloud.FolderPath, name) is var text)
                 yield return (text, StoreFile.SizeOf(text));
         // All containers are known with the pages.
-        _ = cloud.LoadAll().Count();
+        _ = cloud.EachTable().Count();
         foreach (var file in cloud.Files())
             yield return file;
         // What the source's headers said: not every cloud has it, and a server is not asked for what may be missing.

@@ -4,7 +4,7 @@ namespace FastPoints.Cli.Verbs;
 
 public sealed class SurfaceVerb : Verb
 {
-    const int CellVoxels = 80;
+    const int CellEdgeVoxels = 80;
 
     readonly Argument<string> m_cloud = new("NAME.fastpoints") { Description = "A converted cloud." };
     readonly ValueOption<string> m_output = new("--output", "S.ply|.obj",
@@ -69,7 +69,7 @@ public sealed class SurfaceVerb : Verb
         if (!(hole >= 0 && hole <= SurfaceGrid.MaxHoleVoxels * voxel))
             throw new UsageException("--hole: wanted 0 to " + SurfaceGrid.MaxHoleVoxels + " voxels, which are "
                 + NumberFormat.Value(SurfaceGrid.MaxHoleVoxels * voxel) + " m");
-        return new SurfaceGrid(voxel, CellVoxels, (float)(hole / voxel));
+        return new SurfaceGrid(voxel, CellEdgeVoxels, (float)(hole / voxel));
     }
 
     PointFilter? FilterOf(ParseResult parsed, PointReader reader)

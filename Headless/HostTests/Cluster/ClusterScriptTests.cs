@@ -107,7 +107,7 @@ public sealed class ClusterScriptTests
     [Test]
     public void Batch_ArraysHaveTwoTasksAtLeast_AndBadInputEndsThem()
     {
-        string[] lines = Submit(BatchScript.Of(Job, s_settings), "aws", "id");
+        string[] lines = Submit(AwsBatchScript.Of(Job, s_settings), "aws", "id");
         int at = Array.FindIndex(lines, l => l.StartsWith("batch|submit-job", StringComparison.Ordinal));
         string registered = string.Join("\n", lines[..at]);
         var definition = JsonDocument.Parse(registered[registered.IndexOf('{')..(registered.LastIndexOf('}') + 1)]).RootElement;

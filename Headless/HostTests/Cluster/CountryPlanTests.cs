@@ -65,7 +65,7 @@ public sealed class CountryPlanTests
         TestContext.Out.WriteLine($"{tiles.Count:n0} tiles in {watch.Elapsed.TotalSeconds:f1} s");
         Assert.That(tiles, Has.Count.EqualTo(Tiles).Within(10).Percent);
         using var density = Count(tiles);
-        var cells = PartitionMap.CellsOf(s_whole, density, PointsPerBaseCell, out double[] pointsOfCell);
+        var cells = PartitionMap.BaseCellsOf(s_whole, density, PointsPerBaseCell, out double[] pointsOfCell);
         int next = 0;
         var groups = CubeGroups.Of(s_whole, cells, c => c, _ => (long)math.ceil(pointsOfCell[next++]), PointsPerTask);
         var cubes = groups.ConvertAll(g => g.Count == 1 ? cells[g.First] : g.Cube).ToArray();

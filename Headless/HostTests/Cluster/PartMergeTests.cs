@@ -56,7 +56,7 @@ class PartMergeTests : FolderTests
         m_chunks = Directory.GetFiles(tops).OrderBy(f => f, StringComparer.Ordinal).ToArray();
         Assert.That(m_chunks, Is.Not.Empty);
         m_records = GridChoice.Choose(new[] { reader.Info }, new SampleStatistics[1],
-            m_made.Manifest.Attributes.BytesPerPoint).Records;
+            m_made.Manifest.Attributes.BytesPerPoint).RecordLayout;
         m_cubes = m_chunks.Select((_, i) => ChunkOf(i, false).Chunk.Container.Cube).ToArray();
     }
 
@@ -66,7 +66,7 @@ class PartMergeTests : FolderTests
         Points = m_made.Manifest.Points,
         PointsPerChunk = m_settings.PointsPerChunk,
         Grid = m_made.Manifest.Grid,
-        Records = m_records,
+        RecordLayout = m_records,
         Attributes = m_made.Manifest.Attributes,
         Divisors = m_made.Manifest.Divisors,
         CloudCube = whole,

@@ -66,7 +66,7 @@ public sealed class GraphicsNodePoolTests() : GpuCloudFixture(250_000)
             pool.BufferOf(nodes.Key).GetData(bank);
             foreach (var drawn in nodes)
             {
-                byte[] file = File.ReadAllBytes(source.PathOf(drawn.Page));
+                byte[] file = File.ReadAllBytes(source.PlanesPathOf(drawn.Page));
                 int at = drawn.Range.FirstPage * NodePool.PageBytes;
                 for (int p = 0; p < source.Planes.Length; p++)
                 {
@@ -93,7 +93,7 @@ public sealed class GraphicsNodePoolTests() : GpuCloudFixture(250_000)
                 HeadlessGraphics.EndFrame();
             }
             int taken = 0;
-            while (pool.TryAllocate(Node, out var run) && pool.AddressForUpload(run, Node) != null)
+            while (pool.TryAllocate(Node, out var run) && pool.ReserveForUpload(run, Node) != null)
                 taken++;
             Assert.That(taken, Is.EqualTo(Math.Max(1, max / Node)));
             pool.EndUpload();
@@ -220,7 +220,7 @@ public sealed class GraphicsNodePoolTests() : GpuCloudFixture(250_000)
         var shaders = new GpuShaders();
         var materials = new PointMaterials(shaders.Points, shaders.Compose);
         var style = PointStyle.Default;
-        var made = new[] { materials.For(style, false, false, false), materials.Compose(ComposedFrom.Layer, style) };
+        var made = new[] { materials.For(style, false, false, false), materials.ForCompose(ComposedFrom.Layer, style) };
         EditorApplication.isPlaying = true;
         try
         {

@@ -140,11 +140,11 @@ public sealed class ShadowTests : GraphicsFixture
                 new double3(50, 50, 50));
             frame.Fit();
             Assert.That(Math.Log2(frame.TexelWorld) % 1, Is.Zero);
-            double steps = math.dot(frame.EyeWorld, frame.Right) / (64 * frame.TexelWorld);
+            double steps = math.dot(frame.MiddleWorld, frame.Right) / (64 * frame.TexelWorld);
             Assert.That(steps, Is.EqualTo(math.round(steps)).Within(1e-5));
             var shadow = frame.From(eye);
             Assert.That(math.dot(shadow.Column, (float3)(place - eye)) + shadow.Eye.x,
-                Is.EqualTo(512 + math.dot(place - frame.EyeWorld, frame.Right) / frame.TexelWorld).Within(1e-3));
+                Is.EqualTo(512 + math.dot(place - frame.MiddleWorld, frame.Right) / frame.TexelWorld).Within(1e-3));
         }
     }
 }

@@ -44,7 +44,7 @@ public sealed class SlowReadTests
         if (reader is IPrefixSource { HasPrefixes: true } prefixes)
             JobCoroutine.RunToEnd(prefixes.FindPrefixes(1));
         var waves = new List<(int, double)>();
-        using var sampler = new WaveSampler(reader, wanted, 1);
+        using var sampler = new PreviewWaveSampler(reader, wanted, 1);
         sampler.WaveReady += wave => waves.Add((wave.Points, SimulatedLatency.Reads * SecondsPerRead / AtOnce));
         JobCoroutine.RunToEnd(sampler.Run(0, new StageProgress()));
         sample = sampler.TakeSample();

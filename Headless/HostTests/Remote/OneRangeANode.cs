@@ -37,8 +37,9 @@ sealed class OneRangeANode
         {
             var ranges = Enumerable.Range(0, source.Planes.Length)
                 .Select(p => stream.Clouds[cloud].RangeOf(node.Page, node.Node, p));
-            policy.m_nodes.Add(new Piece(Path.GetRelativePath(served, source.PathOf(node.Page)), ranges.Min(r => r.OffsetBytes),
-                stream.Clouds[cloud].BytesOf(node.Page, node.Node), PointsOf(stream, cloud, node.Page, node.Node)));
+            policy.m_nodes.Add(new Piece(Path.GetRelativePath(served, source.PlanesPathOf(node.Page)),
+                ranges.Min(r => r.OffsetBytes), stream.Clouds[cloud].BytesOf(node.Page, node.Node),
+                PointsOf(stream, cloud, node.Page, node.Node)));
         }
         return policy;
     }

@@ -83,8 +83,8 @@ sealed class RemoteCacheTests : RemoteFixture
         byte[] bytes = File.ReadAllBytes(path);
         bytes[^1] ^= 1;
         File.WriteAllBytes(path, bytes);
-        _ = RangeCache.Current.Find(key);
-        Assert.That(RangeCache.Current.Find(key), Is.Null);
+        _ = RangeCache.Current.ReadLastRange(key);
+        Assert.That(RangeCache.Current.ReadLastRange(key), Is.Null);
     }
 
     [Test]
@@ -96,7 +96,7 @@ sealed class RemoteCacheTests : RemoteFixture
             RangeCache.Current.Add(key, 0, new[] { run });
             StartAnew();
         }
-        Assert.That(RangeCache.Current.Find(key), Is.EqualTo(new byte[] { 19 }));
+        Assert.That(RangeCache.Current.ReadLastRange(key), Is.EqualTo(new byte[] { 19 }));
     }
 
     static byte[] Damage(byte[] bytes, int kind, System.Random random)

@@ -160,7 +160,7 @@ public sealed class RemoteCloudTests : ScratchTests
             using var table = folder.LoadPage(page);
             using var wanted = local.LoadPage(page);
             Assert.That(table.Nodes.ToArray(), Is.EqualTo(wanted.Nodes.ToArray()));
-            Assert.That(table.Planes.ToArray(), Is.EqualTo(wanted.Planes.ToArray()));
+            Assert.That(table.PlaneRanges.ToArray(), Is.EqualTo(wanted.PlaneRanges.ToArray()));
         }
         Assert.That(m_server.Requests.Count, Is.LessThan(folder.PageCount / 2));
         Assert.That(m_server.Requests.Count, tailBytes == 1 << 18 ? Is.Zero : Is.Positive, "all come with the root's");
@@ -256,7 +256,7 @@ public sealed class RemoteCloudTests : ScratchTests
     public void Run_WithoutAServerForAWhile_SaysSoOnceAndGoesOn()
     {
         using var folder = CloudFolder.Open(m_cloud);
-        _ = folder.LoadAll().Count();
+        _ = folder.EachTable().Count();
         string[] away = folder.Files().Select(f => f.Path).Where(p => p.Contains(StoreFormat.ChunkFolderName))
             .Select(p => Path.Combine(m_served, "scan.fastpoints", Path.GetRelativePath(m_cloud, p))).ToArray();
         foreach (string file in away)
@@ -309,9 +309,9 @@ public sealed class RemoteCloudTests : ScratchTests
     {
         using (var folder = CloudFolder.Open(m_cloud))
         {
-            string path = Path.Combine(m_served, "scan.fastpoints", Path.GetRelativePath(m_cloud, folder.PathOf(0)));
+            string path = Path.Combine(m_served, "scan.fastpoints", Path.GetRelativePath(m_cloud, folder.PlanesPathOf(0)));
             byte[] bytes = File.ReadAllBytes(path);
-            var range = folder.Root.Planes[0];
+            var range = folder.Root.PlaneRanges[0];
             bytes[range.OffsetBytes + range.LengthBytes / 2] ^= 1;
             File.WriteAllBytes(path, bytes);
         }

@@ -75,7 +75,7 @@ sealed class RemoteTreeTests : RemoteFixture
         var stream = Stream();
         Add(stream, AddressOf(path));
         Server.Gate = new TaskCompletionSource().Task;
-        RemoteFile.Find(AddressOf(path)).DropHead();
+        RemoteFile.Find(AddressOf(path)).DropOpened();
         Until(stream, stats => stats.ReadsInFlight > 0);
         // Had it waited for the server, it would do so until that counts as stalled.
         AssertWithin(RemoteSettings.Current.StallMs / 1000.0, stream.Dispose);
@@ -92,7 +92,7 @@ sealed class RemoteTreeTests : RemoteFixture
         Add(stream, AddressOf(path));
         var gate = new TaskCompletionSource();
         Server.Gate = gate.Task;
-        RemoteFile.Find(AddressOf(path)).DropHead();
+        RemoteFile.Find(AddressOf(path)).DropOpened();
         Until(stream, stats => stats.ReadsInFlight > 2);
         // Nothing but the root is that large; none has come.
         Until(stream, stats => stats.ReadsInFlight <= 1, 1e-9);

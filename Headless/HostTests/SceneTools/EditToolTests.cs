@@ -7,16 +7,16 @@ public sealed class EditToolTests : SceneToolFixture
     [SetUp]
     public void Listen()
     {
-        System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(CloudEdits).TypeHandle);
+        System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(EditQueue).TypeHandle);
         // Other tests end what listens.
-        if (EditorApplication.update?.GetInvocationList().Any(d => d.Method.DeclaringType == typeof(CloudEdits)) != true)
-            CloudEdits.Listen();
+        if (EditorApplication.update?.GetInvocationList().Any(d => d.Method.DeclaringType == typeof(EditQueue)) != true)
+            EditQueue.Listen();
     }
 
     [TearDown]
     public void EndEdits()
     {
-        for (var watch = Stopwatch.StartNew(); CloudEdits.IsBusy && watch.Elapsed.TotalSeconds < 10; Thread.Yield())
+        for (var watch = Stopwatch.StartNew(); EditQueue.IsBusy && watch.Elapsed.TotalSeconds < 10; Thread.Yield())
             EditorApplication.update?.Invoke();
         File.Delete(EditJournal.PathOf(m_path));
         Undo.Clear();
@@ -30,7 +30,7 @@ public sealed class EditToolTests : SceneToolFixture
     void WaitForEdits(int count)
     {
         var watch = Stopwatch.StartNew();
-        string State() => CloudEdits.IsBusy + ", " + Journal.Count + ", " + (Shown?.Edits?.Operations.Count ?? 0);
+        string State() => EditQueue.IsBusy + ", " + Journal.Count + ", " + (Shown?.Edits?.Operations.Count ?? 0);
         string wanted = "False, " + count + ", " + count;
         // This world has no systems that stream.
         using var views = new NativeArray<StreamView>(1, Allocator.Persistent) { [0] = StreamView.Everything(1) };
@@ -121,7 +121,7 @@ public sealed class EditToolTests : SceneToolFixture
                 Send(tool, view, new Event { type = EventType.Repaint });
                 Assert.That(tool.Session.Lasso.Count, Is.EqualTo(4));
                 Send(tool, view, new Event { type = end, keyCode = KeyCode.Escape });
-                Assert.That((tool.Session.Lasso.Count, CloudEdits.IsBusy), Is.EqualTo((0, end == EventType.MouseUp)));
+                Assert.That((tool.Session.Lasso.Count, EditQueue.IsBusy), Is.EqualTo((0, end == EventType.MouseUp)));
             }
             WaitForEdits(1);
             Assert.That(Journal.Operations[0].Prism.IsPyramid, Is.EqualTo(!isParallel));
@@ -168,7 +168,7 @@ public sealed class EditToolTests : SceneToolFixture
         m_cloud.enabled = false;
         session.ApplyBox(m_cloud, new Bounds(default, new Vector3(1, 1, 1)));
         Assert.That(session.Note, Does.Contain("not shown"));
-        Assert.That(CloudEdits.IsBusy, Is.False);
+        Assert.That(EditQueue.IsBusy, Is.False);
         m_cloud.enabled = true;
     }
 }

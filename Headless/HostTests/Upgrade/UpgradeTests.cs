@@ -54,7 +54,7 @@ public sealed class UpgradeTests : ScratchPerTest
             Is.EqualTo(new[] { "a.laz150", "b.laz250" }));
         using var folder = CloudFolder.Open(m_cloud);
         Assert.That(folder.Manifest.CloudId, Is.EqualTo(id));
-        Assert.That(folder.LoadAll().SelectMany(t => t.Planes.ToArray()).Where(p => p.LengthBytes > 0).Select(p => p.Hash)
+        Assert.That(folder.EachTable().SelectMany(t => t.PlaneRanges.ToArray()).Where(p => p.LengthBytes > 0).Select(p => p.Hash)
             .Order(), Is.EqualTo(planes.Order()));
     }
 
@@ -90,10 +90,10 @@ public sealed class UpgradeTests : ScratchPerTest
         Assert.That(CliCall.Of("upgrade", m_cloud).Status, Is.Zero);
         AssertHasPoints(m_cloud);
         using var folder = CloudFolder.Open(m_cloud);
-        var sampledWith = folder.LoadAll().SelectMany(t => t.Nodes.ToArray()).GroupBy(n => n.SampledWith)
+        var samplingGroups = folder.EachTable().SelectMany(t => t.Nodes.ToArray()).GroupBy(n => n.SamplingGroup)
             .ToDictionary(g => g.Key, g => g.Count());
-        Assert.That(sampledWith.Keys, Is.EquivalentTo(new[] { 0, 7 }));
-        Assert.That(sampledWith[7], Is.EqualTo(5));
+        Assert.That(samplingGroups.Keys, Is.EquivalentTo(new[] { 0, 7 }));
+        Assert.That(samplingGroups[7], Is.EqualTo(5));
     }
 
     [Test]
@@ -238,8 +238,8 @@ public sealed class UpgradeTests : ScratchPerTest
             while (nodes[top].ChildCount == 0)
                 top++;
             for (int i = top; i < header->NodeCount; i++)
-                if (i == top || nodes[i].Parent >= 0 && nodes[nodes[i].Parent].SampledWith == 7)
-                    nodes[i].SampledWith = 7;
+                if (i == top || nodes[i].Parent >= 0 && nodes[nodes[i].Parent].SamplingGroup == 7)
+                    nodes[i].SamplingGroup = 7;
         }
         WriteHierarchy(file, bytes);
     }

@@ -119,7 +119,7 @@ public sealed class FilesInUseTests : ScratchPerTest
         var failure = Assert.Throws<PointCloudException>(() => Convert(source, target, settings));
         Assert.That(failure.Message, Does.StartWith(target + ": is converted but for its name: wanted to rename " + part)
             .And.Contains("denied").And.EndsWith("goes on from here"));
-        Assert.That(failure.IsBadInput, Is.False);
+        Assert.That(failure.IsInputAtFault, Is.False);
         reader.Dispose();
         var result = Convert(source, target, settings);
         Assert.That(result.Note, Does.StartWith("continued a build that was broken off: 6000 of 6000"));

@@ -75,10 +75,10 @@ namespace FastPoints.Evaluation
         {
             var pagesOfContainer = new SortedDictionary<string, List<int>>(StringComparer.Ordinal);
             int page = 0;
-            foreach (var table in m_folder.LoadAll())
+            foreach (var table in m_folder.EachTable())
             {
-                if (!pagesOfContainer.TryGetValue(m_folder.PathOf(page), out var pages))
-                    pagesOfContainer.Add(m_folder.PathOf(page), pages = new List<int>());
+                if (!pagesOfContainer.TryGetValue(m_folder.PlanesPathOf(page), out var pages))
+                    pagesOfContainer.Add(m_folder.PlanesPathOf(page), pages = new List<int>());
                 pages.Add(page++);
             }
             foreach (var pages in pagesOfContainer.Values)
@@ -113,15 +113,15 @@ namespace FastPoints.Evaluation
         MeasureGroupsJob JobFor(CloudSelection nodes, PointBatch batch)
         {
             var container = default(ContainerRecord);
-            var ranges = new SortedDictionary<(int Level, bool IsTop, int SampledWith), List<NodeRange>>();
+            var ranges = new SortedDictionary<(int Level, bool IsTop, int SamplingGroup), List<NodeRange>>();
             int at = 0;
             foreach (int page in nodes.Pages)
                 foreach (int n in nodes.NodesOf(page))
                 {
-                    container = m_folder.ContainerOf(page);
+                    container = m_folder.PlanesContainerOf(page);
                     var node = nodes.TableOf(page).Nodes[n];
                     var key = (m_folder.Manifest.Root.SideLog2 - node.SideLog2, (node.Flags & NodeRecord.TopFlag) != 0,
-                        node.SampledWith);
+                        node.SamplingGroup);
                     if (!ranges.TryGetValue(key, out var ofGroup))
                         ranges.Add(key, ofGroup = new List<NodeRange>());
                     double spacing = math.cmin(m_folder.Manifest.Grid.Step) * math.pow(2.0, node.CellLog2);

@@ -174,7 +174,7 @@ namespace FastPoints.Editor
             var folder = ((FolderSource)shown.Source).Folder;
             Note = EditPlan.FindProblem(operation, folder.Manifest);
             if (Note == null)
-                CloudEdits.Begin(folder.FolderPath, operation, "Edit points");
+                EditQueue.Begin(folder.FolderPath, operation, "Edit points");
         }
     }
 }

@@ -94,7 +94,7 @@ namespace FastPoints.Editor
                 Session.Radius = math.max(1e-3f, EditorGUILayout.FloatField("Radius", Session.Radius));
             else if (m_shape == Box && GUILayout.Button("Apply") && Selected is PointCloud cloud)
                 Session.ApplyBox(cloud, new Bounds(m_box.center, m_box.size));
-            GUILayout.Label(CloudEdits.IsBusy ? "editing" : Session.Note ??
+            GUILayout.Label(EditQueue.IsBusy ? "editing" : Session.Note ??
                 (m_shape != Brush && Selected == null ? "select a point cloud" : ""));
         }
 

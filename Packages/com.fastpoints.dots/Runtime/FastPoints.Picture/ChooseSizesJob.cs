@@ -118,8 +118,8 @@ namespace FastPoints.Picture
         public static double DensityOf(int pixelsDrawn) =>
             -math.log(1 - math.min(pixelsDrawn, PixelsPerTile - 0.5) / PixelsPerTile);
 
-        // How far lighting looks around a point, in whole pixels.
-        public static uint RadiusOf(float sizePx) => (uint)math.clamp((int)(sizePx * 0.5f + 0.5f), 1, PointDrawing.MaxRadiusPx);
+        public static uint LightingRadiusOf(float sizePx) =>
+            (uint)math.clamp((int)(sizePx * 0.5f + 0.5f), 1, PointDrawing.MaxRadiusPx);
 
         public static float Limit(float size, float typical) =>
             math.clamp(size, MinPx, math.min(math.max(MaxPx / 2, typical), MaxTypicalFactor * typical + 1));

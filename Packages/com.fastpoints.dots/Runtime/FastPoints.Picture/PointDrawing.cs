@@ -106,7 +106,7 @@ namespace FastPoints.Picture
                     size = picture.SizeOfTile[tileY * tilesAcross + tileX];
                 }
                 double half = size * 0.5;
-                uint radiusPx = PointSizing.RadiusOf(size);
+                uint radiusPx = PointSizing.LightingRadiusOf(size);
                 ulong key = KeyOf(depth, radiusPx, LitLevel, colors[i]);
                 // Depth in world units behind the middle, for each squared pixel of distance: the radius at the rim.
                 double behindPerSq = IsParaboloid ? 1 / (half * Projection.PixelsPerUnitAt(depth)) : 0;
@@ -148,7 +148,7 @@ namespace FastPoints.Picture
             (ulong)PointProjection.DepthToBits(depth) << 32 | (uint)litLevel << 24 + RadiusBits | radiusPx << 24 |
             color & 0xFFFFFFu;
 
-        public static int RadiusOf(ulong key) => (int)(key >> 24) & MaxRadiusPx;
+        public static int LightingRadiusOf(ulong key) => (int)(key >> 24) & MaxRadiusPx;
 
         public static int LitLevelOf(ulong key) => (int)(key >> 24 + RadiusBits) & PointLighting.MaxLitLevel;
 

@@ -93,7 +93,7 @@ namespace FastPoints.Picture
         float Shade(int x, int y, ulong pixel)
         {
             float depth = PointProjection.DepthFromBits((uint)(pixel >> 32));
-            int radiusPx = PointDrawing.RadiusOf(pixel);
+            int radiusPx = PointDrawing.LightingRadiusOf(pixel);
             float pixelsPerUnit = (float)Projection.PixelsPerUnitAt(depth) / radiusPx;
             float sum = 0;
             for (int dy = -1; dy <= 1; dy++)
@@ -154,7 +154,7 @@ namespace FastPoints.Picture
         public readonly float3 NormalAt(int x, int y, ulong pixel)
         {
             float depth = PointProjection.DepthFromBits((uint)(pixel >> 32));
-            int radius = PointDrawing.RadiusOf(pixel);
+            int radius = PointDrawing.LightingRadiusOf(pixel);
             var place = PixelPositions.Of(x, y, depth);
             var across = Along(x, y, new int2(radius, 0), depth, place);
             var down = Along(x, y, new int2(0, radius), depth, place);

@@ -14,10 +14,10 @@ namespace FastPoints.Picture
         // What draws it, as points of one pixel.
         public static Camera CameraOf(in ShadowMapProjection frame) => new Camera
         {
-            EyeGeo = frame.EyeWorld,
+            EyeGeo = frame.MiddleWorld,
             Right = frame.Right,
             Up = frame.Up,
-            Forward = frame.AlongLight,
+            Forward = frame.ScaledForward,
             IsOrthographic = true,
             HeightGeo = frame.EdgeWorld,
         };

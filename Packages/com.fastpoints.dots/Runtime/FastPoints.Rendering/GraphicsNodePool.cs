@@ -47,7 +47,7 @@ namespace FastPoints.Rendering
         public override bool TryBeginUpload(int maxBytes) =>
             m_upload.TryBegin(m_frame, PagesFor(math.clamp(maxBytes, PageBytes, MaxUploadBytes)));
 
-        public override byte* AddressForUpload(PoolRange range, long bytes) => m_upload.Reserve(range);
+        public override byte* ReserveForUpload(PoolRange range, long bytes) => m_upload.Reserve(range);
 
         public override void EndUpload() => m_upload.End(m_buffers, m_frame);
 

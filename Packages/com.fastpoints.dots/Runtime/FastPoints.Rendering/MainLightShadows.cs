@@ -62,7 +62,7 @@ namespace FastPoints.Rendering
                     ShaderValues.VectorOf((float3)m_frame.Up * perUnit), new Vector4(0, 0, 0, 0.5f), new Vector4(0, 0, 0, 1)),
                 WidthPx = ShadowMapProjection.EdgePx,
                 HeightPx = ShadowMapProjection.EdgePx,
-                Forward = ShaderValues.VectorOf((float3)m_frame.Forward),
+                Forward = ShaderValues.VectorOf((float3)m_frame.UnitForward),
                 IsOrthographic = true,
             };
             m_raster.Record(commands, view, m_list, m_lists, pool, null);

@@ -51,7 +51,7 @@ namespace FastPoints.Rendering
         public void End(CommandBuffer commands, in RenderView view, PointMaterials materials)
         {
             var from = view.Style.IsBlended ? ComposedFrom.Sums : ComposedFrom.Layer;
-            Compose(commands, view, materials.Compose(from, view.Style));
+            Compose(commands, view, materials.ForCompose(from, view.Style));
             if (view.Style.IsBlended)
                 commands.ReleaseTemporaryRT(ShaderNames.LayerSums);
             commands.ReleaseTemporaryRT(ShaderNames.LayerColor);
@@ -63,7 +63,7 @@ namespace FastPoints.Rendering
         {
             m_properties.SetBuffer(ShaderNames.Pixels, raster.Pixels);
             m_properties.SetVector(ShaderNames.DepthToDevice, ComputeRaster.DepthToDevice(view));
-            Compose(commands, view, materials.Compose(ComposedFrom.Pixels, view.Style));
+            Compose(commands, view, materials.ForCompose(ComposedFrom.Pixels, view.Style));
         }
 
         void Compose(CommandBuffer commands, in RenderView view, Material compose)

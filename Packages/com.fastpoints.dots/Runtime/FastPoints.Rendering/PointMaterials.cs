@@ -56,7 +56,7 @@ namespace FastPoints.Rendering
             return m_ofVariant[variant.Number] = material;
         }
 
-        internal Material Compose(ComposedFrom from, in PointStyle style)
+        internal Material ForCompose(ComposedFrom from, in PointStyle style)
         {
             int light = style.IsShadowed ? 2 : style.IsLit ? 1 : 0;
             ref var material = ref m_composeOf[s_lights.Length * (int)from + light];

@@ -166,7 +166,7 @@ namespace FastPoints.Rendering
         // What the style is for the list.
         void Adapt(ref RenderView view)
         {
-            m_progressive.DrawWholeIfItFits(ref view.Style, List);
+            m_progressive.SkipProgressIfItFits(ref view.Style, List);
             view.Style.IsLit = List.IsLitByDepths;
             view.Style.IsShadowed = List.IsLitByDepths && m_shadows != null && math.csum(view.Light.Color) > 0 &&
                 m_shadows.Fit(view.Light.Direction);

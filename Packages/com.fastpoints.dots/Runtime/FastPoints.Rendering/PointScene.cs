@@ -160,7 +160,7 @@ namespace FastPoints.Rendering
 
         // Previews of assets, which have a scene of their own, and reflections show none; other cameras do, and overlay cameras
         // where a PointCloudCamera asks for it.
-        public static bool IsDrawn(Camera camera, bool isOverlay = false)
+        public static bool ShowsClouds(Camera camera, bool isOverlay = false)
         {
             if (camera.cameraType == CameraType.Preview && camera.overrideSceneCullingMask == 0 && camera.scene.IsValid() ||
                 camera.cameraType == CameraType.Reflection)

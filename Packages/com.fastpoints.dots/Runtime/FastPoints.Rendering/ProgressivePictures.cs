@@ -43,7 +43,7 @@ namespace FastPoints.Rendering
         }
 
         // A list of no more points than a frame may draw is drawn whole.
-        public void DrawWholeIfItFits(ref PointStyle style, DrawList list)
+        public void SkipProgressIfItFits(ref PointStyle style, DrawList list)
         {
             if (!list.IsProgressive || list.Points <= style.PointsPerFrame)
                 style.PointsPerFrame = 0;

@@ -13,7 +13,7 @@ namespace FastPoints.Rendering
 
         public static PointLighting OfSun()
         {
-            var light = OfSunsColor();
+            var light = OfSunWithoutIntensity();
             var sun = RenderSettings.sun;
             if (sun != null && sun.isActiveAndEnabled)
             {
@@ -26,7 +26,7 @@ namespace FastPoints.Rendering
         }
 
         // HDRP's lights are in lux, and only the card knows the exposure: of the sun its direction and colour count.
-        public static PointLighting OfSunsColor()
+        public static PointLighting OfSunWithoutIntensity()
         {
             var sun = RenderSettings.sun;
             bool isThere = sun != null && sun.isActiveAndEnabled;

@@ -33,7 +33,7 @@ namespace FastPoints.Surface
         public void Execute()
         {
             long begin = SliceTimes.Begin();
-            int side = Grid.Side, reach = math.max(1, Grid.HoleReach);
+            int side = Grid.SideWithMargins, reach = math.max(1, Grid.HoleReach);
             var surfelOf = (int*)Memory.SurfelOf.GetUnsafePtr();
             for (int i = First; i < End; i++)
             {
@@ -47,7 +47,7 @@ namespace FastPoints.Surface
                     if (math.any(place < reach) || math.any(place >= side - reach))
                         continue;
                     surfelOf[next] = SurfaceMemory.Rejected;
-                    if (IsOffPlane(next) || !TryClose(next, out var surfel))
+                    if (IsOffPlaneOrTaken(next) || !TryClose(next, out var surfel))
                         continue;
                     Memory.Voxels.Add(new SurfaceVoxel { At = next });
                     Memory.Surfels.Add(surfel);
@@ -58,9 +58,9 @@ namespace FastPoints.Surface
         }
 
         /// <summary>Whether a surfel beside it says so: most voxels above or below a surface are left out by that.</summary>
-        bool IsOffPlane(int at)
+        bool IsOffPlaneOrTaken(int at)
         {
-            int side = Grid.Side;
+            int side = Grid.SideWithMargins;
             var surfelOf = (int*)Memory.SurfelOf.GetUnsafePtr();
             var surfels = Memory.Surfels.GetUnsafePtr();
             float nearest = float.MaxValue;
@@ -85,7 +85,7 @@ namespace FastPoints.Surface
         bool TryClose(int at, out Surfel surfel)
         {
             const int max = (int)SurfaceGrid.MaxHoleVoxels * 2 + 1;
-            int side = Grid.Side, reach = Grid.HoleReach, count = 0, nearest = -1;
+            int side = Grid.SideWithMargins, reach = Grid.HoleReach, count = 0, nearest = -1;
             float maxDistanceSq = Grid.HoleVoxels * Grid.HoleVoxels, nearestSq = maxDistanceSq / 4;
             var near = stackalloc Surfel[max * max * max / 4];
             var surfelOf = (int*)Memory.SurfelOf.GetUnsafePtr();

@@ -12,14 +12,14 @@ namespace FastPoints.Surface
     internal unsafe struct CollectVoxelsJob : IJob
     {
         public const int PointsPerSlice = 100000; // A slice takes about a millisecond.
-        public const int StepsPerVoxel = 1024; // Of a voxel's edge: what is in a voxel is summed in these.
+        public const int SumStepsPerVoxel = 1024; // Of a voxel's edge: what is in a voxel is summed in these.
         const uint MaxPointsPerVoxel = 1u << 21; // More points would overflow the sums; their mean has long been found.
 
         public int First;
         public int End;
         public SurfaceGrid Grid;
         public int3 Cell;
-        public double3 Metres; // Metres of what positions are stored in.
+        public double3 StepMetres; // Of what positions are stored in.
         public ClassMask Hidden; // Points of these classes are left out.
         [ReadOnly] public NativeArray<double> X;
         [ReadOnly] public NativeArray<double> Y;
@@ -31,11 +31,11 @@ namespace FastPoints.Surface
         public void Execute()
         {
             long begin = SliceTimes.Begin();
-            int side = Grid.Side;
-            var scale = Metres * (StepsPerVoxel / Grid.VoxelMetres);
+            int side = Grid.SideWithMargins;
+            var scale = StepMetres * (SumStepsPerVoxel / Grid.VoxelMetres);
             // Rounded before it is moved to the cell, so that a point is at the same step in each.
-            var corner = (new double3(Cell.x, Cell.y, Cell.z) * Grid.CellVoxels - Grid.Margin) * StepsPerVoxel;
-            double end = (double)side * StepsPerVoxel;
+            var corner = (new double3(Cell.x, Cell.y, Cell.z) * Grid.CellEdgeVoxels - Grid.Margin) * SumStepsPerVoxel;
+            double end = (double)side * SumStepsPerVoxel;
             double* xs = (double*)X.GetUnsafeReadOnlyPtr(), ys = (double*)Y.GetUnsafeReadOnlyPtr(),
                 zs = (double*)Z.GetUnsafeReadOnlyPtr();
             var classes = Classes.Length == 0 ? null : (byte*)Classes.GetUnsafeReadOnlyPtr();
@@ -48,7 +48,8 @@ namespace FastPoints.Surface
                     classes != null && Hidden.Has(classes[i]))
                     continue;
                 uint sx = (uint)x, sy = (uint)y, sz = (uint)z;
-                int at = (int)(sx / StepsPerVoxel) + side * ((int)(sy / StepsPerVoxel) + side * (int)(sz / StepsPerVoxel));
+                int at = (int)(sx / SumStepsPerVoxel) +
+                    side * ((int)(sy / SumStepsPerVoxel) + side * (int)(sz / SumStepsPerVoxel));
                 if (surfelOf[at] == 0)
                 {
                     Memory.Voxels.Add(new SurfaceVoxel { At = at });
@@ -58,9 +59,9 @@ namespace FastPoints.Surface
                 if (voxel->Count == MaxPointsPerVoxel)
                     continue;
                 voxel->Count++;
-                voxel->X += sx % StepsPerVoxel;
-                voxel->Y += sy % StepsPerVoxel;
-                voxel->Z += sz % StepsPerVoxel;
+                voxel->X += sx % SumStepsPerVoxel;
+                voxel->Y += sy % SumStepsPerVoxel;
+                voxel->Z += sz % SumStepsPerVoxel;
             }
             Times.End(begin);
         }

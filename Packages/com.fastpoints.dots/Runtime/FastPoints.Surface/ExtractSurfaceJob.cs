@@ -25,7 +25,7 @@ namespace FastPoints.Surface
         public void Execute()
         {
             long begin = SliceTimes.Begin();
-            int rows = Grid.CellVoxels + 1;
+            int rows = Grid.CellEdgeVoxels + 1;
             for (int i = First; i < End; i++)
             {
                 int row = i % rows, layer = i / rows;
@@ -38,13 +38,13 @@ namespace FastPoints.Surface
         }
 
         byte* InsideFlagsOfRow(int row, int layer) =>
-            (byte*)Memory.IsInside.GetUnsafePtr() + Grid.Side * RowAt(row, layer);
+            (byte*)Memory.IsInside.GetUnsafePtr() + Grid.SideWithMargins * RowAt(row, layer);
 
-        int RowAt(int row, int layer) => row + Grid.Side * layer;
+        int RowAt(int row, int layer) => row + Grid.SideWithMargins * layer;
 
         void AddVertices(int row, int layer)
         {
-            int before = Grid.Margin - 1, cubes = Grid.CellVoxels + 1;
+            int before = Grid.Margin - 1, cubes = Grid.CellEdgeVoxels + 1;
             int y = before + row, z = before + layer;
             var isRowInside = (byte*)Memory.IsRowInside.GetUnsafePtr();
             var vertexOf = (int*)Memory.VertexNumberOfCube.GetUnsafePtr() + cubes * (row + cubes * layer);
@@ -73,7 +73,7 @@ namespace FastPoints.Surface
         float3 PositionOfVertex(int corners, int3 place)
         {
             const int reach = SurfaceGrid.VertexReach;
-            int side = Grid.Side, count = 0, nearest = 0;
+            int side = Grid.SideWithMargins, count = 0, nearest = 0;
             var middle = MiddleOfCuts(corners);
             var near = stackalloc Surfel[(2 * reach + 1) * (2 * reach + 1) * (2 * reach + 1)];
             float closest = float.MaxValue;
@@ -154,7 +154,7 @@ namespace FastPoints.Surface
         /// <summary>Across the edges from a row of the cell's lattice points, of a layer whose cubes have vertices.</summary>
         void AddTriangles(int row, int layer)
         {
-            int side = Grid.Side, cubes = Grid.CellVoxels + 1, margin = Grid.Margin;
+            int side = Grid.SideWithMargins, cubes = Grid.CellEdgeVoxels + 1, margin = Grid.Margin;
             int y = margin + row, z = margin + layer;
             var isRowInside = (byte*)Memory.IsRowInside.GetUnsafePtr();
             if ((isRowInside[RowAt(y, z)] | isRowInside[RowAt(y + 1, z)] | isRowInside[RowAt(y, z + 1)]) == 0)
@@ -163,7 +163,7 @@ namespace FastPoints.Surface
             // The cube that begins at the lattice point; those before it along an axis lie a stride back.
             var cube = (int*)Memory.VertexNumberOfCube.GetUnsafePtr() + 1 + cubes * (row + 1 + cubes * (layer + 1));
             int alongY = cubes, alongZ = cubes * cubes;
-            for (int x = 0; x < Grid.CellVoxels; x++, cube++)
+            for (int x = 0; x < Grid.CellEdgeVoxels; x++, cube++)
             {
                 if (here[x] != here[x + 1])
                     AddQuad(cube, alongY, alongZ, here[x] != 0);

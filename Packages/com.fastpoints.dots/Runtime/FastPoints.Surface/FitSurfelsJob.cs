@@ -25,7 +25,7 @@ namespace FastPoints.Surface
         public void Execute()
         {
             long begin = SliceTimes.Begin();
-            int side = Grid.Side;
+            int side = Grid.SideWithMargins;
             var voxels = Memory.Voxels.GetUnsafePtr();
             var means = Memory.Means.GetUnsafePtr();
             var surfels = Memory.Surfels.GetUnsafePtr();
@@ -45,7 +45,7 @@ namespace FastPoints.Surface
         void Fit(int at, float3 own, ref Surfel surfel)
         {
             const int reach = SurfaceGrid.FitReach;
-            int side = Grid.Side;
+            int side = Grid.SideWithMargins;
             var surfelOf = (int*)Memory.SurfelOf.GetUnsafePtr();
             var means = Memory.Means.GetUnsafePtr();
             var sums = new OffsetSums { Count = 1 };
@@ -105,8 +105,8 @@ namespace FastPoints.Surface
             var voxels = Memory.Voxels.GetUnsafePtr();
             var means = Memory.Means.GetUnsafePtr();
             for (int i = First; i < End; i++)
-                means[i] = new float3(voxels[i].X, voxels[i].Y, voxels[i].Z) *
-                    (1f / (CollectVoxelsJob.StepsPerVoxel * (float)voxels[i].Count)) + 0.5f / CollectVoxelsJob.StepsPerVoxel;
+                means[i] = new float3(voxels[i].X, voxels[i].Y, voxels[i].Z) * (1f /
+                    (CollectVoxelsJob.SumStepsPerVoxel * (float)voxels[i].Count)) + 0.5f / CollectVoxelsJob.SumStepsPerVoxel;
         }
     }
 }

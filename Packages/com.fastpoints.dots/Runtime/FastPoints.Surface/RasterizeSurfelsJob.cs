@@ -25,7 +25,7 @@ namespace FastPoints.Surface
         public void Execute()
         {
             long begin = SliceTimes.Begin();
-            int side = Grid.Side;
+            int side = Grid.SideWithMargins;
             var isInside = (byte*)Memory.IsInside.GetUnsafePtr();
             var isRowInside = (byte*)Memory.IsRowInside.GetUnsafePtr();
             for (int i = First; i < End; i++)

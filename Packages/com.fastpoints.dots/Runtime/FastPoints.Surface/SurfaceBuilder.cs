@@ -77,7 +77,7 @@ namespace FastPoints.Surface
                 (first, end, after) =>
                 new RasterizeSurfelsJob { First = first, End = end, Grid = m_grid, Memory = m_memory, Times = m_times }
                     .Schedule(after)));
-            int rows = (m_grid.CellVoxels + 1) * (m_grid.CellVoxels + 1);
+            int rows = (m_grid.CellEdgeVoxels + 1) * (m_grid.CellEdgeVoxels + 1);
             yield return JobStep.Of(Slices.Run(0, rows, ExtractSurfaceJob.RowsPerSlice, (first, end, after) =>
                 new ExtractSurfaceJob { First = first, End = end, Grid = m_grid, Memory = m_memory, Times = m_times }
                     .Schedule(after)));
@@ -100,7 +100,7 @@ namespace FastPoints.Surface
                 End = end,
                 Grid = m_grid,
                 Cell = cell,
-                Metres = metres,
+                StepMetres = metres,
                 Hidden = hidden,
                 X = x,
                 Y = y,

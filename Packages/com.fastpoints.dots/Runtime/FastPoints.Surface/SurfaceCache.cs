@@ -40,7 +40,7 @@ namespace FastPoints.Surface
         public void Begin(in SurfaceGrid grid, ClassMask hidden, double3 metresOfUnit, UpAxis up)
         {
             m_key[3] = math.asulong(grid.VoxelMetres);
-            m_key[4] = Pair(grid.CellVoxels, (int)math.asuint(grid.HoleVoxels));
+            m_key[4] = Pair(grid.CellEdgeVoxels, (int)math.asuint(grid.HoleVoxels));
             for (int i = 0; i < 4; i++)
                 m_key[5 + i] = Pair((int)hidden.Low[i], (int)hidden.High[i]);
             for (int axis = 0; axis < 3; axis++)
@@ -54,7 +54,7 @@ namespace FastPoints.Surface
         {
             var key = KeyOf(cell, edits);
             var surface = default(PackedSurface);
-            surface.Ints = new NativeArray<int>(m_files.LengthOf(key) / sizeof(int), Allocator.Persistent,
+            surface.Ints = new NativeArray<int>(m_files.LastRangeLength(key) / sizeof(int), Allocator.Persistent,
                 NativeArrayOptions.UninitializedMemory);
             if (!m_files.TryRead(key, 0, MemoryMarshal.AsBytes(surface.Ints.AsSpan())) || !surface.IsWhole)
                 surface.Dispose();

@@ -15,7 +15,7 @@ namespace FastPoints.Surface
     internal abstract class SurfaceColliders : IDisposable
     {
         public const double RetrySeconds = 5;
-        const int CellVoxels = 80;
+        const int CellEdgeVoxels = 80;
         const long PointsPerBatch = 300_000; // Of a cell at once: 7 MB.
         const double MinMove = 0.125; // Of a cell: what has moved less changes no plan.
         const double MaxScaleChange = 1e-3; // Metres of a degree change with the place: beyond this all is made anew.
@@ -56,7 +56,7 @@ namespace FastPoints.Surface
         }
 
         public static SurfaceGrid GridOf(float voxelSize, float holeSize) => new SurfaceGrid(math.max(0.001, voxelSize),
-            CellVoxels, (float)math.clamp(holeSize / math.max(0.001, voxelSize), 0, SurfaceGrid.MaxHoleVoxels));
+            CellEdgeVoxels, (float)math.clamp(holeSize / math.max(0.001, voxelSize), 0, SurfaceGrid.MaxHoleVoxels));
 
         public CloudManifest Manifest => m_opened.Folder.Manifest;
         public SurfaceCells Cells { get; }

@@ -15,25 +15,24 @@ namespace FastPoints.Surface
         public const float MaxHoleVoxels = 8;
 
         public readonly double VoxelMetres;
-
-        public readonly int CellVoxels;
+        public readonly int CellEdgeVoxels;
         public readonly float HoleVoxels; // The widest holes that are closed; 0 for none.
 
-        public SurfaceGrid(double voxelMetres, int cellVoxels, float holeVoxels)
+        public SurfaceGrid(double voxelMetres, int cellEdgeVoxels, float holeVoxels)
         {
             if (!(voxelMetres > 0) || double.IsInfinity(voxelMetres))
                 throw new ArgumentOutOfRangeException(nameof(voxelMetres), voxelMetres, "wanted a length above 0");
-            if (cellVoxels < 1 || cellVoxels > 256)
-                throw new ArgumentOutOfRangeException(nameof(cellVoxels), cellVoxels, "wanted 1 to 256 voxels");
+            if (cellEdgeVoxels < 1 || cellEdgeVoxels > 256)
+                throw new ArgumentOutOfRangeException(nameof(cellEdgeVoxels), cellEdgeVoxels, "wanted 1 to 256 voxels");
             if (!(holeVoxels >= 0 && holeVoxels <= MaxHoleVoxels))
                 throw new ArgumentOutOfRangeException(nameof(holeVoxels), holeVoxels,
                     "wanted 0 to " + NumberText.Of(MaxHoleVoxels) + " voxels");
             VoxelMetres = voxelMetres;
-            CellVoxels = cellVoxels;
+            CellEdgeVoxels = cellEdgeVoxels;
             HoleVoxels = holeVoxels;
         }
 
-        public double CellMetres => VoxelMetres * CellVoxels;
+        public double CellMetres => VoxelMetres * CellEdgeVoxels;
 
         public int HoleReach => (int)math.ceil(HoleVoxels);
         public int HoleRings => (int)math.ceil(HoleVoxels / 2); // How many voxels a hole is closed inwards from its rim.
@@ -42,7 +41,7 @@ namespace FastPoints.Surface
         /// which may close a hole, whose rim has normals.</summary>
         public int Margin => 1 + VertexReach + HoleRings + HoleReach + FitReach;
 
-        public int Side => CellVoxels + 2 * Margin;
+        public int SideWithMargins => CellEdgeVoxels + 2 * Margin;
 
         /// <summary>Points so far outside of a cell may make a part of its surface, in metres.</summary>
         public double ReachMetres => (2 + HoleRings) * VoxelMetres;
@@ -53,7 +52,7 @@ namespace FastPoints.Surface
             return new int3((int)cell.x, (int)cell.y, (int)cell.z);
         }
 
-        public bool Equals(SurfaceGrid other) => VoxelMetres == other.VoxelMetres && CellVoxels == other.CellVoxels &&
+        public bool Equals(SurfaceGrid other) => VoxelMetres == other.VoxelMetres && CellEdgeVoxels == other.CellEdgeVoxels &&
             HoleVoxels == other.HoleVoxels;
     }
 }

@@ -41,7 +41,7 @@ namespace FastPoints.Surface
 
         public SurfaceMemory(in SurfaceGrid grid, Allocator allocator)
         {
-            int side = grid.Side, cubes = grid.CellVoxels + 1;
+            int side = grid.SideWithMargins, cubes = grid.CellEdgeVoxels + 1;
             SurfelOf = new NativeArray<int>(side * side * side, allocator);
             IsInside = new NativeArray<byte>(side * side * side, allocator);
             IsRowInside = new NativeArray<byte>(side * side, allocator);

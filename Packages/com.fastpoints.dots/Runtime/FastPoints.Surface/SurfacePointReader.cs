@@ -167,7 +167,7 @@ namespace FastPoints.Surface
                 foreach (var (column, to) in ColumnsOf(m_edited.Planes[p]))
                     unpacked = new UnpackColumnJob
                     {
-                        Values = new PlaneValues
+                        Values = new ColumnUnpacker
                         {
                             Column = column,
                             Stored = p == 0 ? default
@@ -219,7 +219,7 @@ namespace FastPoints.Surface
     {
         [ReadOnly] public NativeArray<byte> Plane;
         public PlaneShape Shape;
-        public PlaneValues Values; // Without its view.
+        public ColumnUnpacker Values; // Without its view.
         public int BlockCount;
         public bool IsPosition;
         public long Corner;

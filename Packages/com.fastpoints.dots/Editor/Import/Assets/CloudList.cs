@@ -77,7 +77,7 @@ namespace FastPoints.Editor
                 cancelled.ThrowIfCancellationRequested();
                 bool isFirst = used.Add(pair.Value);
                 var row = Describe(pair.Key, pair.Value, catalog, paths, convertsOctrees);
-                row.Bytes = measures ? BytesOf(CloudFolder.Find(pair.Value), cancelled) : 0;
+                row.Bytes = measures ? BytesOf(CloudFolder.FinalOrUnfinished(pair.Value), cancelled) : 0;
                 row.IsWanted &= isFirst;
                 row.IsLost = isFirst && row.MissingSource != null && !row.IsConverted;
                 list.Rows.Add(row);
@@ -89,7 +89,7 @@ namespace FastPoints.Editor
                     if (!used.Contains(cloud.Path))
                     {
                         var row = Of(cloud);
-                        row.Bytes = measures ? BytesOf(CloudFolder.Find(cloud.Path), cancelled) : 0;
+                        row.Bytes = measures ? BytesOf(CloudFolder.FinalOrUnfinished(cloud.Path), cancelled) : 0;
                         list.Unused.Add(row);
                     }
             return list;

@@ -50,7 +50,7 @@ namespace FastPoints.Editor
             string path = m_paths.Absolute(handle.CloudPath);
             cloud = m_clouds.Find(c => string.Equals(c.Path, path, StringComparison.OrdinalIgnoreCase));
             if (cloud == null && CloudFolder.IsCloud(path))
-                cloud = ReadFolder(path, CloudFolder.Find(path), new Dictionary<string, CachedCloud>());
+                cloud = ReadFolder(path, CloudFolder.FinalOrUnfinished(path), new Dictionary<string, CachedCloud>());
             if (cloud != null && cloud.IsUnfinished)
                 return CatalogMatch.Unfinished;
             if (cloud?.Manifest != null && (handle.CloudId == 0 || cloud.Manifest.CloudId == handle.CloudId))

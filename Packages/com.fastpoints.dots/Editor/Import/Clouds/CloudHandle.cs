@@ -46,12 +46,12 @@ namespace FastPoints.Editor
         public void SetFrom(SourceInfo info)
         {
             // These are the same at each import, whatever a conversion finds.
-            if (!info.BoundsTrusted.IsEmpty)
-                Origin = UnityLocalSpace.Of(info.BoundsTrusted, info.Crs.Units).OriginGeo;
+            if (!info.BoundsIfFinite.IsEmpty)
+                Origin = UnityLocalSpace.Of(info.BoundsIfFinite, info.Crs.Units).OriginGeo;
             Format = info.Format;
             Points = info.PointsReadable >= 0 ? info.PointsReadable
                 : info.HasPointsClaimed && info.PointsClaimed <= long.MaxValue ? (long)info.PointsClaimed : -1;
-            BoundsGeo = info.BoundsTrusted;
+            BoundsGeo = info.BoundsIfFinite;
             Crs = info.Crs.Summary;
             Units = info.Crs.Units;
         }

@@ -99,8 +99,8 @@ namespace FastPoints.Editor
             if (handle.Origin == null)
                 handle.OriginUp = up;
             // The header's bounds, if any: every machine finds the same origin, and the preview was placed with it.
-            handle.Origin ??= source != null && !source.BoundsTrusted.IsEmpty
-                ? UnityLocalSpace.Of(source.BoundsTrusted, source.Crs.Units, up).OriginGeo
+            handle.Origin ??= source != null && !source.BoundsIfFinite.IsEmpty
+                ? UnityLocalSpace.Of(source.BoundsIfFinite, source.Crs.Units, up).OriginGeo
                 : origin ?? UnityLocalSpace.Of(manifest.BoundsGeo, manifest.Crs.Units, up).OriginGeo;
             if (source != null)
                 handle.SetFrom(source.Format, source.Warnings);

@@ -82,7 +82,7 @@ namespace FastPoints.Editor
                 // memory, but not if the source is.
                 var known = PointCloudException.Of(m_target, e);
                 var cause = known.InnerException;
-                if (known.IsBadInput || known.Code == FailureCode.Unexpected &&
+                if (known.IsInputAtFault || known.Code == FailureCode.Unexpected &&
                     !(cause is OutOfMemoryException || FileFailures.IsFileFailure(cause) && !(cause is ArgumentException)))
                     CloudFolderWriter.DeleteUnfinished(m_target);
             }

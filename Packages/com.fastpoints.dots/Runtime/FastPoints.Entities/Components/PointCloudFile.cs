@@ -54,10 +54,9 @@ namespace FastPoints.Entities
             return space;
         }
 
-        /// <summary>Whether this and another open the same cloud, except for its position.</summary>
-        internal readonly bool OpensSameAs(in PointCloudFile other) => Color == other.Color && ColorRamp == other.ColorRamp &&
-            HiddenClasses.Equals(other.HiddenClasses) && Up == other.Up &&
-            MetresPerUnitOverride.Equals(other.MetresPerUnitOverride) &&
-            (other.HasOrigin || !HasOrigin);
+        /// <summary>Whether all but paths, light and place, by which a cloud is opened, is the same.</summary>
+        internal readonly bool HasSameOpenSettings(in PointCloudFile other) =>
+            Color == other.Color && ColorRamp == other.ColorRamp && HiddenClasses.Equals(other.HiddenClasses) &&
+            Up == other.Up && MetresPerUnitOverride.Equals(other.MetresPerUnitOverride) && (other.HasOrigin || !HasOrigin);
     }
 }

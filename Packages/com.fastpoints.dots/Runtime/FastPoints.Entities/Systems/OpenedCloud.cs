@@ -56,7 +56,7 @@ namespace FastPoints.Entities
 
         /// <summary>Whether it was opened by an equal file, except for its position.</summary>
         public bool Matches(in PointCloudFile file, ReadOnlySpan<byte> paths) =>
-            AppliedFile.OpensSameAs(file) && paths.SequenceEqual(m_paths) && !IsLitOtherwise(file);
+            AppliedFile.HasSameOpenSettings(file) && paths.SequenceEqual(m_paths) && !IsLitOtherwise(file);
 
         // Stored normals are streamed where they are lit.
         bool IsLitOtherwise(in PointCloudFile file) => AppliedFile.Light > 0 != file.Light > 0 && Newest?.HasNormals == true;

@@ -57,7 +57,7 @@ namespace FastPoints.Build
             if (isSame && (journal.CurrentStage == BuildJournal.Stage.Done || build.Files.TryResume(journal)))
             {
                 checkpoints.Journal = journal;
-                scatter.Resume(journal);
+                scatter.RestoreStatistics(journal);
                 checkpoints.Note = string.Format(CultureInfo.InvariantCulture, "continued a build that was broken off: {0} of "
                     + "{1} points were read", scatter.PointsDone, build.Points);
                 return checkpoints;
@@ -120,7 +120,7 @@ namespace FastPoints.Build
 
         public void Dispose()
         {
-            m_ticket?.Wait();
+            m_ticket?.WaitAndStopRetries();
             m_ticket = null;
             if (m_text.IsCreated)
                 m_text.Dispose();
@@ -161,7 +161,7 @@ namespace FastPoints.Build
                     .Append(VersionOf(reader.Info.Path)).Append('\n');
             text.Append(build.CloudId).Append('|').Append(build.Plan.MaxPointsPerPlannedCube)
                 .Append('|').Append(build.Plan.UsesTemporaryFiles)
-                .Append('|').Append(build.Records.StrideBytes).Append('|').Append(map.Chunks.Length);
+                .Append('|').Append(build.RecordLayout.StrideBytes).Append('|').Append(map.Chunks.Length);
             string all = text.ToString();
             fixed (char* first = all)
                 return ContentHash.Of(first, all.Length * sizeof(char)) ^

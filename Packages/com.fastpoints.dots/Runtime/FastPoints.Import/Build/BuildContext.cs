@@ -52,14 +52,15 @@ namespace FastPoints.Build
             Folder = new CloudFolderWriter(target);
             SliceTimes = new SliceTimes(Allocator.Persistent);
             CloudId = part.CloudId;
-            Grid = new GridChoice { Grid = part.Grid, Records = part.Records, Sources = new SourceToGrid[readers.Count] };
+            Grid = new GridChoice
+                { Grid = part.Grid, RecordLayout = part.RecordLayout, Sources = new SourceToGrid[readers.Count] };
             for (int i = 0; i < readers.Count; i++)
             {
                 Grid.Sources[i] = GridChoice.OnGrid(readers[i].Info, part.Grid);
                 points += readers[i].PointCount;
             }
             Points = points;
-            Allot(MemoryPlan.For(Points, Records.StrideBytes, settings, part.PointsPerChunk));
+            Allot(MemoryPlan.For(Points, RecordLayout.StrideBytes, settings, part.PointsPerChunk));
         }
 
         /// <summary>Null for a whole cloud.</summary>
@@ -70,7 +71,7 @@ namespace FastPoints.Build
 
         public long Points { get; private set; }
         public GridChoice Grid { get; private set; }
-        public RecordLayout Records => Grid.Records;
+        public RecordLayout RecordLayout => Grid.RecordLayout;
         public MemoryPlan Plan { get; private set; }
 
         public NativeReference<RecordPagePool> Pool { get; private set; }
@@ -114,7 +115,7 @@ namespace FastPoints.Build
                 Points += reader.PointCount;
             }
             Grid = GridChoice.Choose(infos, samples, Attributes.BytesPerPoint, Settings.HasUniformStep);
-            Allot(MemoryPlan.For(Points, Records.StrideBytes, Settings));
+            Allot(MemoryPlan.For(Points, RecordLayout.StrideBytes, Settings));
         }
 
         void Allot(MemoryPlan plan)
@@ -125,18 +126,18 @@ namespace FastPoints.Build
                     "at least " + ((Settings.ProcessBytes + Plan.MinMemoryBytes >> 20) + 1) + "MiB",
                     (Settings.ProcessBytes + Settings.MemoryBytes >> 20) + "MiB");
             Pool = new NativeReference<RecordPagePool>(
-                new RecordPagePool(Records.StrideBytes, Points / RecordPages.RecordsPerPage), Allocator.Persistent);
+                new RecordPagePool(RecordLayout.StrideBytes, Points / RecordPages.RecordsPerPage), Allocator.Persistent);
             if (Plan.UsesTemporaryFiles)
                 UseFiles();
         }
 
-        public void UseFiles() => Files ??= new RecordFiles(Folder, Records.StrideBytes);
+        public void UseFiles() => Files ??= new RecordFiles(Folder, RecordLayout.StrideBytes);
 
         /// <summary>The same if all are in memory, and the disk has room for all of them.</summary>
         public bool TryUseFiles()
         {
             long free = Folder.FreeBytes();
-            if (Files == null && (free < 0 || free >= Points * Records.StrideBytes))
+            if (Files == null && (free < 0 || free >= Points * RecordLayout.StrideBytes))
             {
                 UseFiles();
                 AddPartitionFiles();
@@ -147,7 +148,7 @@ namespace FastPoints.Build
         /// <exception cref="PointCloudException">The disk has no room for points that do not fit into memory.</exception>
         public void RequireRoom(long points)
         {
-            long needed = points * Records.StrideBytes, free = Folder.FreeBytes();
+            long needed = points * RecordLayout.StrideBytes, free = Folder.FreeBytes();
             if (Files != null && free >= 0 && free < needed)
                 throw new PointCloudException(FailureCode.DiskFull, Target, -1, string.Format(CultureInfo.InvariantCulture,
                     "the disk has too little room: wanted {0} bytes for the points that do not fit into memory, got {1}", needed,
@@ -161,9 +162,9 @@ namespace FastPoints.Build
         }
 
         public ChunkIndexer CreateIndexer(NativeStoreLayout store, CloudManifest manifest) =>
-            new ChunkIndexer(Records, store, manifest.Root.Corner, manifest.CloudId, Settings.Sampler, Sizes);
+            new ChunkIndexer(RecordLayout, store, manifest.Root.Corner, manifest.CloudId, Settings.Sampler, Sizes);
 
-        public IndexWorkspace CreateWorkspace(NativeStoreLayout store) => new IndexWorkspace(Records, store);
+        public IndexWorkspace CreateWorkspace(NativeStoreLayout store) => new IndexWorkspace(RecordLayout, store);
 
         public void Dispose()
         {
@@ -188,11 +189,10 @@ namespace FastPoints.Build
     {
         public ulong CloudId;
         public long Points; // By the headers, of the whole cloud.
-
         public long PointsPerChunk;
 
         public CloudGrid Grid;
-        public RecordLayout Records;
+        public RecordLayout RecordLayout;
         public PointSchema Attributes; // Those of the cloud, beside the position, and a divisor for each.
         public int[] Divisors;
         public GridCube CloudCube; // The plan's cube of the cloud. Points outside of it are set aside until all parts are built.

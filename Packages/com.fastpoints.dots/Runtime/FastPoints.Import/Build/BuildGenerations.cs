@@ -128,7 +128,7 @@ namespace FastPoints.Build
                     var indexer = inWork.Dequeue();
                     spare.Push(indexer);
                     indexer.Job.Complete();
-                    m_build.SliceTimes.Add(indexer.SliceTimes);
+                    m_build.SliceTimes.TakeFrom(indexer.SliceTimes);
                     int c = indexer.Number;
                     results[c] = ChunkResult.OfTop(indexer);
                     results[c].Checksum = indexer.Checksum;

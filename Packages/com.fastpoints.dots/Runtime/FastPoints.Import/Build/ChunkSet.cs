@@ -95,7 +95,7 @@ namespace FastPoints.Build
             var packed = PackRecordsJob.Schedule(new PackRecordsJob
             {
                 Pages = pages,
-                StrideBytes = m_build.Records.StrideBytes,
+                StrideBytes = m_build.RecordLayout.StrideBytes,
                 SliceTimes = m_build.SliceTimes,
             }, default);
             try
@@ -220,7 +220,7 @@ namespace FastPoints.Build
                     var job = new CountCellsJob
                     {
                         SliceTimes = m_build.SliceTimes,
-                        Layout = m_build.Records,
+                        Layout = m_build.RecordLayout,
                         Cells = cells,
                         PointsOfCell = counts,
                         Bounds = bounds,
@@ -314,7 +314,7 @@ namespace FastPoints.Build
             {
                 Pages = pages,
                 TakesPages = true,
-                Layout = m_build.Records,
+                Layout = m_build.RecordLayout,
                 Cubes = cubesOfLists,
                 Corner = corner,
                 Chunks = lists,

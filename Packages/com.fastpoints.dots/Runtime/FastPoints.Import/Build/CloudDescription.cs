@@ -27,7 +27,7 @@ namespace FastPoints.Build
             found.Min = Grid3.Max(found.Min, cube.Corner);
             found.Max = Grid3.Min(found.Max, cube.Corner + new Grid3(last, last, last));
             var manifest = new CloudManifest { Sampler = build.SamplerName, Root = cube };
-            Describe(found, sample.Attributes, build, manifest);
+            Describe(found, sample.StatisticsOfAttributes, build, manifest);
             manifest.PointsLeftOut = 0;
             manifest.CloudId = found.Checksum;
             return manifest;
@@ -69,7 +69,7 @@ namespace FastPoints.Build
             var tiles = reader.Unfiltered as TiledReader;
             for (int t = 0; t < (tiles?.TileCount ?? 1); t++)
             {
-                var source = tiles != null ? tiles.TileOf(t) : new SourceEntry
+                var source = tiles != null ? tiles.TileEntryOf(t) : new SourceEntry
                 {
                     Name = info.Path,
                     FileBytes = info.FileBytes,

@@ -77,7 +77,7 @@ namespace FastPoints.Build
             yield return JobStep.Of(convert.Partition());
             using var values = new PlaceholderSample(build);
             yield return JobStep.Of(values.Read());
-            take(build, values.Attributes, convert.m_records);
+            take(build, values.StatisticsOfAttributes, convert.m_records);
             progress?.End();
         }
 
@@ -301,7 +301,7 @@ namespace FastPoints.Build
             for (int c = 0; c < map.Chunks.Length; c++)
                 AddChunk(map.Chunks[c], lists, c);
             int inside = m_chunks.Chunks.Count;
-            AddChunk(map.Cube, lists, map.Outside);
+            AddChunk(map.Cube, lists, map.OutsideChunk);
             var cells = Cells();
             m_checkpoints.Journal.Root = cells.Root;
             if (m_build.Part != null)

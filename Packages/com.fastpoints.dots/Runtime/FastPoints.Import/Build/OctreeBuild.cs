@@ -188,7 +188,7 @@ namespace FastPoints.Build
         /// at the end.</summary>
         IEnumerator<JobStep> FindChunksLeft(List<int> order)
         {
-            int stride = m_build.Records.ForTops(m_store.HasAverages).StrideBytes;
+            int stride = m_build.RecordLayout.ForTops(m_store.HasAverages).StrideBytes;
             for (int i = 0; i < m_results.Length; i++)
             {
                 var (number, chunk) = (i, m_chunks.Chunks[i]);
@@ -218,7 +218,7 @@ namespace FastPoints.Build
         {
             var files = m_build.Files;
             var plan = m_build.Plan;
-            int stride = m_build.Records.StrideBytes;
+            int stride = m_build.RecordLayout.StrideBytes;
             long largest = 1;
             foreach (var chunk in m_chunks.Chunks)
                 largest = Math.Max(largest, chunk.Count);
@@ -267,7 +267,7 @@ namespace FastPoints.Build
                 {
                     SliceTimes = slot.Indexer.SliceTimes,
                     Pages = chunk.Pages,
-                    Layout = m_build.Records,
+                    Layout = m_build.RecordLayout,
                     Cube = chunk.Cube,
                     Outside = slot.Outside,
                 }, slot.Load.Done);
@@ -356,7 +356,7 @@ namespace FastPoints.Build
         {
             var indexer = slot.Indexer;
             var result = ChunkResult.Of(indexer);
-            m_build.SliceTimes.Add(indexer.SliceTimes);
+            m_build.SliceTimes.TakeFrom(indexer.SliceTimes);
             m_results[slot.Chunk] = result;
             var pages = indexer.Pages;
             RecordPagePool.Of(m_build.Pool).Return(ref pages);
@@ -453,7 +453,7 @@ namespace FastPoints.Build
             while (m_pending.Count > 0)
             {
                 var pending = m_pending.Dequeue();
-                pending.Written.Wait();
+                pending.Written.WaitAndStopRetries();
                 pending.File.Dispose();
                 if (pending.Top.IsCreated)
                     pending.Top.Dispose();

@@ -81,7 +81,7 @@ namespace FastPoints.Build
                     PartitionMap.CountChunks(density, target) > plan.MaxPages / PagesPerChunk)
                     target += (target + 3) / 4;
                 var map = PartitionMap.Plan(cube, density, Math.Min(target, plan.MaxPointsPerPlannedCube));
-                map.BaseCells = PartitionMap.CellsOf(cube, density, plan.PointsPerBaseCell, out double[] points);
+                map.BaseCells = PartitionMap.BaseCellsOf(cube, density, plan.PointsPerBaseCell, out double[] points);
                 map.PointsOfBaseCell = points;
                 map.SampleHash = sampleHash;
                 return map;

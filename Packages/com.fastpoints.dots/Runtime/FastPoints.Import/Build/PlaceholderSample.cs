@@ -27,17 +27,17 @@ namespace FastPoints.Build
         public PlaceholderSample(BuildContext build)
         {
             m_build = build;
-            m_pool = new NativeReference<RecordPagePool>(new RecordPagePool(build.Records.StrideBytes,
+            m_pool = new NativeReference<RecordPagePool>(new RecordPagePool(build.RecordLayout.StrideBytes,
                 2 * build.Plan.PlaceholderPoints / RecordPages.RecordsPerPage), Allocator.Persistent);
-            Attributes = new AttributeStatistics[build.Attributes.Count];
-            for (int a = 0; a < Attributes.Length; a++)
-                Attributes[a] = AttributeStatistics.None;
+            StatisticsOfAttributes = new AttributeStatistics[build.Attributes.Count];
+            for (int a = 0; a < StatisticsOfAttributes.Length; a++)
+                StatisticsOfAttributes[a] = AttributeStatistics.None;
         }
 
         public bool IsRead { get; private set; }
 
         public PointStatistics Statistics { get; private set; } = PointStatistics.None;
-        public AttributeStatistics[] Attributes { get; }
+        public AttributeStatistics[] StatisticsOfAttributes { get; }
 
         public IEnumerator<JobStep> Read()
         {
@@ -61,7 +61,7 @@ namespace FastPoints.Build
             var job = new DistributeRecordsJob
             {
                 Pages = m_pages,
-                Layout = m_build.Records,
+                Layout = m_build.RecordLayout,
                 Cubes = cubes,
                 Corner = corner,
                 Chunks = parts,
@@ -94,8 +94,8 @@ namespace FastPoints.Build
                 yield break;
             }
             int longest = SourceSample.MaxPointsOf(ranges);
-            var limit = SourceScan.LimitFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int), m_build.Plan.ReadBytes / 4,
-                m_build.Settings.Workers, m_build.InFlightMs);
+            var limit = SourceScan.LimitFor(reader, wanted, m_build.RecordLayout.StrideBytes + sizeof(int),
+                m_build.Plan.ReadBytes / 4, m_build.Settings.Workers, m_build.InFlightMs);
             using var consumer = new Consumer(this, grid, longest);
             yield return JobStep.Of(SourceScan.Run(ScanRanges.Of(reader, ranges, longest), wanted, consumer, limit,
                 m_build.Settings.Workers, null));
@@ -105,7 +105,7 @@ namespace FastPoints.Build
         {
             var batch = new PointBatch(wanted, RangePoints * RangesPerSlice, Allocator.Persistent);
             var decoded = new NativeReference<DecodeResult>(Allocator.Persistent);
-            var slot = new RecordSlot(batch.Capacity, m_build.Attributes, m_build.Records, m_build.Map, batch);
+            var slot = new RecordSlot(batch.Capacity, m_build.Attributes, m_build.RecordLayout, m_build.Map, batch);
             try
             {
                 for (int first = 0; first < ranges.Count; first += RangesPerSlice)
@@ -134,9 +134,9 @@ namespace FastPoints.Build
         {
             RecordPagePool.Of(m_pool).Append(ref m_pages,
                 (byte*)Unity.Collections.LowLevel.Unsafe.NativeArrayUnsafeUtility.GetUnsafeReadOnlyPtr(slot.Records),
-                slot.FirstOfChunk[m_build.Map.Outside]);
+                slot.FirstOfChunk[m_build.Map.OutsideChunk]);
             var statistics = Statistics;
-            statistics.Include(slot.CollectStatistics(Attributes));
+            statistics.Include(slot.CollectStatistics(StatisticsOfAttributes));
             Statistics = statistics;
         }
 
@@ -158,7 +158,7 @@ namespace FastPoints.Build
             {
                 var build = m_sample.m_build;
                 if (slot == m_slots.Count)
-                    m_slots.Add(new RecordSlot(m_longest, build.Attributes, build.Records, build.Map, read.Points));
+                    m_slots.Add(new RecordSlot(m_longest, build.Attributes, build.RecordLayout, build.Map, read.Points));
                 return m_slots[slot].ScheduleGrouping(read.Points, read.Result, m_grid, decoded);
             }
 

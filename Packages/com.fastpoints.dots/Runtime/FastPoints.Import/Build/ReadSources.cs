@@ -68,8 +68,8 @@ namespace FastPoints.Build
             var journal = m_checkpoints.Journal;
             var reader = m_build.Readers[source];
             var wanted = reader.Info.Schema.SelectWithPosition(m_build.Attributes);
-            var limit = SourceScan.LimitFor(reader, wanted, m_build.Records.StrideBytes + sizeof(int), m_build.Plan.InFlightBytes,
-                m_build.Settings.Workers, m_build.InFlightMs);
+            var limit = SourceScan.LimitFor(reader, wanted, m_build.RecordLayout.StrideBytes + sizeof(int),
+                m_build.Plan.InFlightBytes, m_build.Settings.Workers, m_build.InFlightMs);
             m_scatter.BeginSource(reader, m_build.Grid.Sources[source]);
             if (journal.Statistics.Count <= source)
                 journal.Statistics.Add(PointStatistics.None);

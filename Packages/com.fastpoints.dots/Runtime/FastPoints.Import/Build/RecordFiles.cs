@@ -193,7 +193,7 @@ namespace FastPoints.Build
         public void AddSliceTimesTo(SliceTimes all)
         {
             m_lastPacked.Complete();
-            all.Add(m_slices);
+            all.TakeFrom(m_slices);
         }
 
         public void AddUser(int file) => m_usersOfFile[file]++;
@@ -214,7 +214,7 @@ namespace FastPoints.Build
         {
             m_lastPacked.Complete();
             while (m_pendingWrites.Count > 0)
-                m_pendingWrites.Dequeue().Ticket.Wait();
+                m_pendingWrites.Dequeue().Ticket.WaitAndStopRetries();
             m_slices.Dispose();
         }
 

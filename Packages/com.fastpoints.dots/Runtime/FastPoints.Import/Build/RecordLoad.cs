@@ -58,7 +58,7 @@ namespace FastPoints.Build
                 Done = new UnpackRecordsJob
                 {
                     Requests = parts.GetSubArray(part, Math.Min(UnpackRecordsJob.PartsPerRun, m_partCount - part)),
-                    StrideBytes = m_build.Records.StrideBytes,
+                    StrideBytes = m_build.RecordLayout.StrideBytes,
                     Damaged = m_damaged,
                     SliceTimes = m_slices,
                 }.Schedule(Done);

@@ -64,7 +64,7 @@ namespace FastPoints.Build
         public JobHandle Schedule(BlockRead read, int slot, JobHandle decoded)
         {
             while (m_slots.Count <= slot)
-                m_slots.Add(new RecordSlot(m_reader.MaxPointsPerBlock, m_build.Attributes, m_build.Records, m_build.Map,
+                m_slots.Add(new RecordSlot(m_reader.MaxPointsPerBlock, m_build.Attributes, m_build.RecordLayout, m_build.Map,
                     read.Points));
             var s = m_slots[slot];
             var grouped = s.ScheduleGrouping(read.Points, read.Result, m_grid, decoded);
@@ -94,7 +94,7 @@ namespace FastPoints.Build
             m_build.Progress?.Report(PointsDone / (double)Math.Max(1, m_build.Points), PointsDone, m_bytesDone);
         }
 
-        public void Resume(BuildJournal journal)
+        public void RestoreStatistics(BuildJournal journal)
         {
             for (int a = 0; a < journal.Attributes.Length; a++)
                 Attributes[a] = journal.Attributes[a];
@@ -147,7 +147,7 @@ namespace FastPoints.Build
             for (; m_slots.Count > 0; m_slots.RemoveAt(m_slots.Count - 1))
             {
                 var slot = m_slots[m_slots.Count - 1];
-                m_build.SliceTimes.Add(slot.Slices);
+                m_build.SliceTimes.TakeFrom(slot.Slices);
                 slot.Dispose();
                 yield return default;
             }

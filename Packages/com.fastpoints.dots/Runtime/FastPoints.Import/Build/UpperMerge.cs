@@ -37,7 +37,7 @@ namespace FastPoints.Build
         public int MinSideLog2 { get; private set; } = int.MaxValue;
         public long[] BytesOfPlane { get; }
 
-        public int TopStride => m_build.Records.ForTops(m_store.HasAverages).StrideBytes;
+        public int TopStride => m_build.RecordLayout.ForTops(m_store.HasAverages).StrideBytes;
 
         public IReadOnlyList<MergeInput> Added => m_added;
 
@@ -178,7 +178,7 @@ namespace FastPoints.Build
                 m_indexer.BeginUpper(records, tops, container, isRoot, m_workspace);
                 yield return m_indexer.Job;
                 m_indexer.Job.Complete();
-                m_build.SliceTimes.Add(m_indexer.SliceTimes);
+                m_build.SliceTimes.TakeFrom(m_indexer.SliceTimes);
 
                 var region = TakeRegion(container);
                 bool hasNodes = Attach(members, tops, region) || region.Subtree.NodeCount > 0;
@@ -277,7 +277,7 @@ namespace FastPoints.Build
             }
             finally
             {
-                ticket.Wait();
+                ticket.WaitAndStopRetries();
             }
         }
 

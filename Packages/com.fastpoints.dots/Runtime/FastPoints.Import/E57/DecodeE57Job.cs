@@ -152,7 +152,7 @@ namespace FastPoints.E57
                         read.ColumnType, first);
                     continue;
                 }
-                if (read.Target == E57Target.Invalid && read.Kind == E57FieldKind.Integer)
+                if (read.Target == E57Target.InvalidFlag && read.Kind == E57FieldKind.Integer)
                 {
                     for (int i = 0; i < tile; i++)
                         if ((long)raw[i] + minimum != 0 && rejections[first + i] == 0)
@@ -165,12 +165,12 @@ namespace FastPoints.E57
                     case E57Target.Vector:
                         UnsafeUtility.MemCpy(vectors + (long)read.Row * RowLength + first, reals, tile * 8);
                         break;
-                    case E57Target.Invalid:
+                    case E57Target.InvalidFlag:
                         for (int i = 0; i < tile; i++)
                             if (reals[i] != 0 && rejections[first + i] == 0)
                                 rejections[first + i] = E57Rejection.Invalid;
                         break;
-                    case E57Target.Normalized:
+                    case E57Target.To16Bits:
                         StoreNormalized(reals, tile, (ushort*)(columns + read.ColumnOffsetBytes) + first);
                         break;
                     default:

@@ -154,7 +154,7 @@ namespace FastPoints.E57
         Integers,
 
         // A column of an integer type: round(value * scale + offset), clamped to 0 to 65,535.
-        Normalized,
+        To16Bits,
 
         // A column of floats or doubles: value * scale + offset.
         Reals,
@@ -163,6 +163,6 @@ namespace FastPoints.E57
         Vector,
 
         // None: points whose value is not 0 are left out.
-        Invalid,
+        InvalidFlag,
     }
 }

@@ -45,14 +45,14 @@ namespace FastPoints.E57
                     throw PointCloudException.Wanted(FailureCode.BadInput, source.Path,
                         E57Pages.ToPhysical(header.XmlLogicalOffset), "root of the XML section", "e57Root",
                         E57Text.OneLine(root.Name));
-                E57Facts.AddFile(root, info);
+                E57SourceInfo.AddFile(root, info);
                 var sections = ReadScans(root, source, crc, info);
                 var scans = sections.ConvertAll(section => section.Scan);
                 var schema = new E57Schema(scans);
                 info.Schema = schema.Schema;
                 info.Transform = schema.Transform;
                 info.Scanners = schema.Scanners;
-                E57Facts.AddSchema(schema, scans, info);
+                E57SourceInfo.AddSchema(schema, scans, info);
                 return new E57Reader(new E57Blocks(new E57File(info, crc), info, schema, sections));
             }
             catch
@@ -124,7 +124,7 @@ namespace FastPoints.E57
                 E57Section section = null;
                 if (problem == null)
                     section = E57Section.Read(scan, source, crc, info, out problem, out offset);
-                E57Facts.AddScan(data.Children[i], scan, info);
+                E57SourceInfo.AddScan(data.Children[i], scan, info);
                 if (problem == null)
                 {
                     section.Index = sections.Count;

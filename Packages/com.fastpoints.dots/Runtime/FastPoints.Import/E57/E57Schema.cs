@@ -74,7 +74,7 @@ namespace FastPoints.E57
         public bool HasVectorPositions => m_positions == PositionKind.Doubles;
 
         // Normals that are rotated with their scan pass through rows of doubles.
-        public static bool HasVectorNormals(E57Scan scan) =>
+        public static bool HasRotatedNormals(E57Scan scan) =>
             !scan.Pose.IsTranslation && scan.FindTriple(E57Names.Normals) != null;
 
         public List<E57FieldRead> ReadsOf(int scanIndex, PointBatch batch)
@@ -88,7 +88,7 @@ namespace FastPoints.E57
             if (HasVectorPositions && needsPosition)
                 for (int i = 0; i < 3; i++)
                     reads.Add(VectorRead(position[i], i));
-            bool hasVectorNormals = HasVectorNormals(scan);
+            bool hasRotatedNormals = HasRotatedNormals(scan);
             bool hasReadNormals = false;
             for (int i = 0; i < wanted.Count; i++)
             {
@@ -108,7 +108,7 @@ namespace FastPoints.E57
                     continue;
                 }
                 var field = FieldOf(scan, name);
-                if (hasVectorNormals && field != null && Array.IndexOf(E57Names.Normals, field.Name) >= 0)
+                if (hasRotatedNormals && field != null && Array.IndexOf(E57Names.Normals, field.Name) >= 0)
                 {
                     if (!hasReadNormals)
                         for (int row = 0; row < 3; row++)
@@ -121,7 +121,7 @@ namespace FastPoints.E57
                 else if (field == null)
                     reads.Add(Constant(0, batch, i));
                 else
-                    reads.Add(ReadAs(scan, field, wanted[i], batch, i));
+                    reads.Add(ReadAs(scan, field, batch, i));
             }
             return reads;
         }
@@ -260,7 +260,7 @@ namespace FastPoints.E57
                 var field = scan.Field(name);
                 if (field == null || field.Kind == E57FieldKind.String)
                     continue;
-                isRotated |= Array.IndexOf(E57Names.Normals, name) >= 0 && HasVectorNormals(scan);
+                isRotated |= Array.IndexOf(E57Names.Normals, name) >= 0 && HasRotatedNormals(scan);
                 isInteger &= field.IsInteger;
                 isFloat32 &= field.Kind == E57FieldKind.Float32;
                 if (!field.IsInteger)
@@ -338,11 +338,11 @@ namespace FastPoints.E57
             if (field == null || field.Kind == E57FieldKind.String)
                 return;
             var read = Source(field);
-            read.Target = E57Target.Invalid;
+            read.Target = E57Target.InvalidFlag;
             reads.Add(read);
         }
 
-        E57FieldRead ReadAs(E57Scan scan, E57Field field, PointAttribute attribute, PointBatch batch, int column)
+        E57FieldRead ReadAs(E57Scan scan, E57Field field, PointBatch batch, int column)
         {
             var read = Read(field, batch, column);
             int color = Array.IndexOf(E57Names.Colors, field.Name);
@@ -350,7 +350,7 @@ namespace FastPoints.E57
             {
                 var limits = ColorLimits(scan, color, field);
                 double factor = MaxNormalized / (limits.y - limits.x);
-                read.Target = E57Target.Normalized;
+                read.Target = E57Target.To16Bits;
                 read.Offset = (read.Offset - limits.x) * factor;
                 read.Scale *= factor;
             }

@@ -166,7 +166,7 @@ namespace FastPoints.E57
             Schema = schema;
             m_sections = sections;
             foreach (var section in sections)
-                HasVectors |= schema.HasVectorPositions || E57Schema.HasVectorNormals(section.Scan);
+                HasVectors |= schema.HasVectorPositions || E57Schema.HasRotatedNormals(section.Scan);
             AreKnown = info.PointsClaimed == 0;
         }
 

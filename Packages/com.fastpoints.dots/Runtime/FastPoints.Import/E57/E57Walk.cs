@@ -206,7 +206,7 @@ namespace FastPoints.E57
                     state.Error = error;
                     break;
                 }
-                CheckHeader(ref state, extent, packet.Kind == E57Packet.DataKind ? packet.HeaderBytes : E57Packet.MinBytes);
+                CountIfDamaged(ref state, extent, packet.Kind == E57Packet.DataKind ? packet.HeaderBytes : E57Packet.MinBytes);
                 if (packet.Kind == E57Packet.DataKind)
                 {
                     for (int i = 0; i < StreamCount; i++)
@@ -251,7 +251,7 @@ namespace FastPoints.E57
             return false;
         }
 
-        void CheckHeader(ref E57WalkState state, in E57Extent extent, int headerBytes)
+        void CountIfDamaged(ref E57WalkState state, in E57Extent extent, int headerBytes)
         {
             long firstPage = state.Position / E57Pages.DataBytes;
             long lastPage = (state.Position + headerBytes - 1) / E57Pages.DataBytes;

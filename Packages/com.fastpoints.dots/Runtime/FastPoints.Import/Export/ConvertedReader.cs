@@ -31,12 +31,12 @@ namespace FastPoints.Export
         {
             var folder = m_folder;
             m_tables.Add(folder.Root);
-            m_paths.Add(SourcePath.Full(folder.PathOf(0)));
+            m_paths.Add(SourcePath.Full(folder.PlanesPathOf(0)));
             for (int page = 1; page < folder.PageCount; page++)
             {
                 folder.FetchFrom(page);
                 m_tables.Add(folder.LoadPage(page));
-                m_paths.Add(SourcePath.Full(folder.PathOf(page)));
+                m_paths.Add(SourcePath.Full(folder.PlanesPathOf(page)));
             }
             long first = 0;
             for (int page = 0; page < m_tables.Count; page++)
@@ -143,7 +143,7 @@ namespace FastPoints.Export
         PlaneRange RangeOf(int block, int plane)
         {
             var table = m_tables[m_blocks[block].Page];
-            return table.Planes[m_blocks[block].Node * table.PlaneCount + plane];
+            return table.PlaneRanges[m_blocks[block].Node * table.PlaneCount + plane];
         }
 
         public override long BytesOfRange(BlockRange range) => (long)range.Count * Info.Schema.BytesPerPoint / 2;
@@ -161,7 +161,7 @@ namespace FastPoints.Export
                     pieces.Add(last = new FilePiece
                     {
                         Path = m_paths[page],
-                        Remote = m_folder.RemoteOf(page),
+                        Remote = m_folder.PlanesRemoteOf(page),
                         OffsetBytes = plane.OffsetBytes,
                     });
                 last.LengthBytes = plane.OffsetBytes + plane.LengthBytes - last.OffsetBytes;
@@ -279,7 +279,7 @@ namespace FastPoints.Export
                 {
                     Columns = Points.Bytes,
                     AllColumns = Own(new NativeArray<PointColumn>(all, allocator)),
-                    Edited = m_edits.Points,
+                    Edited = m_edits.EditedBlocks,
                     Values = m_edits.Values.Bytes,
                     From = Own(new NativeArray<PointColumn>(from.ToArray(), allocator)),
                     To = Own(new NativeArray<PointColumn>(to.ToArray(), allocator)),

@@ -54,7 +54,7 @@ namespace FastPoints.Export
         void Unpack(byte* file, in PlaneColumnTarget target)
         {
             var view = new PlaneView(file + PlaneOffsets[target.Plane], Shapes[target.Plane], BlockCount);
-            var values = new PlaneValues { View = view, Column = target.Column, Stored = target.Stored };
+            var values = new ColumnUnpacker { View = view, Column = target.Column, Stored = target.Stored };
             byte* to = (byte*)Columns.GetUnsafePtr() + target.To.OffsetBytes;
             long corner = target.Column == 0 ? Corner.X : target.Column == 1 ? Corner.Y : Corner.Z;
             int at = 0;
@@ -106,7 +106,7 @@ namespace FastPoints.Export
                 for (int i = begin; i < end; i++)
                     if (!Edited[b].Deleted.Has(i))
                         Chosen[kept++] = at + i - First;
-                if (Edited[b].HasValues && begin < end)
+                if (Edited[b].HasChangedValues && begin < end)
                     Copy(b * PlaneShape.MaxPointsPerBlock + begin, at + begin - First, end - begin);
                 at += points;
             }

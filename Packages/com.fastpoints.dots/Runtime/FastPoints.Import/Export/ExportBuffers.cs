@@ -118,7 +118,7 @@ namespace FastPoints.Export
             }
             finally
             {
-                ticket.Wait();
+                ticket.WaitAndStopRetries();
             }
         }
 

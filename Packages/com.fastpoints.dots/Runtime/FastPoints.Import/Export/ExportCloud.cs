@@ -245,7 +245,7 @@ namespace FastPoints.Export
                 }
                 finally
                 {
-                    ticket.Wait();
+                    ticket.WaitAndStopRetries();
                 }
             }
         }

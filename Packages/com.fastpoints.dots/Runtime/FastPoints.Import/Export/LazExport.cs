@@ -39,8 +39,8 @@ namespace FastPoints.Export
         {
             var las = base.MakeHeader(path, written, chunksEnd, pointsEnd);
             int at = las.Length;
-            System.Array.Resize(ref las, at + LazChunkTable.TableOffsetBytes);
-            LasHeader.Put(las, at, LazChunkTable.TableOffsetBytes, (ulong)chunksEnd);
+            System.Array.Resize(ref las, at + LazChunkTable.TableOffsetSize);
+            LasHeader.Put(las, at, LazChunkTable.TableOffsetSize, (ulong)chunksEnd);
             return las;
         }
     }

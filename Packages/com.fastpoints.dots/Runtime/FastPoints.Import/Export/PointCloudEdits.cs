@@ -26,7 +26,7 @@ namespace FastPoints.Export
         /// <param name="eye">Georeferenced, in CRS units, as all positions; far away for a parallel view.</param>
         /// <param name="corners">A position on the ray through each corner.</param>
         /// <param name="done">Receives how many points.</param>
-        public static IEnumerator<JobStep> DeleteSeen(string cloud, double3 eye, double3[] corners, Action<long> done) =>
+        public static IEnumerator<JobStep> DeleteInLasso(string cloud, double3 eye, double3[] corners, Action<long> done) =>
             Edit(cloud, new EditOperation { Action = EditAction.Delete },
                 (o, grid) => o.SetLasso(grid, new double4(eye, 1), corners), done);
 

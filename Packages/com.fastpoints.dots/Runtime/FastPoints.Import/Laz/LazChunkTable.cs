@@ -13,11 +13,11 @@ namespace FastPoints.Laz
     internal sealed class LazChunkTable
     {
         // Between the offset of the points and the first chunk; they say where the table is.
-        public const int TableOffsetBytes = 8;
+        public const int TableOffsetSize = 8;
         public const int HeaderBytes = 8;
 
         // Of a file without points: the table's offset, and the table.
-        public const int MinBytes = TableOffsetBytes + HeaderBytes;
+        public const int MinBytes = TableOffsetSize + HeaderBytes;
         const long OffsetAtFileEnd = -1;
         const int MaxEntryBytes = 14; // At most, of two numbers for a chunk, with 15 + 15 bits modelled and 23 raw.
 
@@ -25,7 +25,7 @@ namespace FastPoints.Laz
         const int CoderBytes = 16; // To start and to end.
 
         // With the eight bytes behind it that may say where it is.
-        public static long MaxBytes(long chunks) => HeaderBytes + chunks * MaxEntryBytes + CoderBytes + TableOffsetBytes;
+        public static long MaxBytes(long chunks) => HeaderBytes + chunks * MaxEntryBytes + CoderBytes + TableOffsetSize;
 
         readonly RandomAccessFile m_source;
         readonly LazFormat m_format;
@@ -39,7 +39,7 @@ namespace FastPoints.Laz
             m_format = format;
             m_info = info;
             m_pointsClaimed = info.PointsClaimed;
-            FirstChunkOffset = pointsOffset + TableOffsetBytes;
+            FirstChunkOffset = pointsOffset + TableOffsetSize;
         }
 
         public long FirstChunkOffset { get; }
@@ -71,13 +71,13 @@ namespace FastPoints.Laz
         string Read(long pointsOffset, out long at)
         {
             at = pointsOffset;
-            if (pointsOffset > m_source.Length - TableOffsetBytes)
+            if (pointsOffset > m_source.Length - TableOffsetSize)
                 return "the file ends before its offset";
             long start = OffsetAt(pointsOffset);
             if (start == OffsetAtFileEnd)
             {
                 // A writer that could not seek back wrote the offset at the end of the file.
-                at = m_source.Length - TableOffsetBytes;
+                at = m_source.Length - TableOffsetSize;
                 start = OffsetAt(at);
             }
             if (start == pointsOffset || start == 0)
@@ -102,7 +102,7 @@ namespace FastPoints.Laz
             return ReadEntries(start, count);
         }
 
-        long OffsetAt(long at) => (long)m_source.Read(at, TableOffsetBytes, "chunk table offset").UInt64(0, "chunk table offset");
+        long OffsetAt(long at) => (long)m_source.Read(at, TableOffsetSize, "chunk table offset").UInt64(0, "chunk table offset");
 
         unsafe string ReadEntries(long start, long count)
         {
@@ -121,7 +121,7 @@ namespace FastPoints.Laz
                     IntegerModel.Initialize(model, 32, 2);
                     byte* end = first + Fill(window, at, endOfTable);
                     byte* next = first;
-                    RangeCoder.Start(out uint value, out uint length, ref next);
+                    RangeCoder.StartDecoding(out uint value, out uint length, ref next);
                     for (long i = 0; i < count; i++)
                     {
                         if (end - next < MaxEntryBytes + CoderBytes && at + (end - first) < endOfTable)
@@ -210,7 +210,7 @@ namespace FastPoints.Laz
                         ref length, ref next);
                 }
                 if (bytesOfChunk.Count > 0)
-                    RangeCoder.End(low, length, ref next);
+                    RangeCoder.EndEncoding(low, length, ref next);
                 Array.Resize(ref table, (int)(next - first));
             }
             return table;

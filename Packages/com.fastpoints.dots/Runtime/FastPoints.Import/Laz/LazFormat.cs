@@ -30,10 +30,10 @@ namespace FastPoints.Laz
         // Each chunk has its own number, in the chunk table; 0 has been written for it as well.
         public const uint VariableChunkPoints = uint.MaxValue;
         public const int MaxExtraBytes = 4096; // More than any file has: a decoder's state takes 1.6 KB for each.
-        public const int ItemsOffset = 32; // Of the number of items in the VLR's data; the items follow it.
+        public const int ItemCountOffset = 32; // Of the number of items in the VLR's data; the items follow it.
 
-        const int FixedBytes = ItemsOffset + 2;
-        public const int ItemBytes = 6;
+        const int FixedBytes = ItemCountOffset + 2;
+        public const int ItemEntryBytes = 6;
 
         public LazCompressor Compressor;
         public uint ChunkPoints; // Of each chunk except the last, or VariableChunkPoints.
@@ -85,7 +85,7 @@ namespace FastPoints.Laz
             int end = 0;
             for (int i = 0; i < count; i++)
             {
-                format.Items[i] = ReadItem(bytes, FixedBytes + i * ItemBytes, end, format.Compressor);
+                format.Items[i] = ReadItem(bytes, FixedBytes + i * ItemEntryBytes, end, format.Compressor);
                 end += format.Items[i].Bytes;
             }
             format.Layers = format.IsLayered ? LazLayer.Of(format.Items) : new LazLayer[0];
@@ -218,7 +218,7 @@ namespace FastPoints.Laz
         public static byte[] Vlr(LazItem[] items, LazCompressor compressor, uint chunkPoints)
         {
             var list = ToBytes(items);
-            var payload = new byte[LazFormat.ItemsOffset + list.Length];
+            var payload = new byte[LazFormat.ItemCountOffset + list.Length];
             LasHeader.Put(payload, 0, 2, (ulong)compressor);
             // As LASzip 3.4 writes it.
             payload[4] = 3;
@@ -227,18 +227,18 @@ namespace FastPoints.Laz
             // The number of special EVLRs, and where they begin: none.
             LasHeader.Put(payload, 16, 8, ulong.MaxValue);
             LasHeader.Put(payload, 24, 8, ulong.MaxValue);
-            list.CopyTo(payload, LazFormat.ItemsOffset);
+            list.CopyTo(payload, LazFormat.ItemCountOffset);
             return LasVlr.ToBytes(LazFormat.UserId, LazFormat.RecordId, "", payload);
         }
 
         // As in the VLR, from their number on.
         public static byte[] ToBytes(LazItem[] items)
         {
-            var bytes = new byte[2 + items.Length * LazFormat.ItemBytes];
+            var bytes = new byte[2 + items.Length * LazFormat.ItemEntryBytes];
             LasHeader.Put(bytes, 0, 2, (ulong)items.Length);
             for (int i = 0; i < items.Length; i++)
             {
-                int at = 2 + i * LazFormat.ItemBytes;
+                int at = 2 + i * LazFormat.ItemEntryBytes;
                 LasHeader.Put(bytes, at, 2, (ulong)items[i].Type);
                 LasHeader.Put(bytes, at + 2, 2, (ulong)items[i].Bytes);
                 LasHeader.Put(bytes, at + 4, 2, (ulong)items[i].Version);

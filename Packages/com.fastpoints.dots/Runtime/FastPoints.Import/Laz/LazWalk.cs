@@ -37,7 +37,7 @@ namespace FastPoints.Laz
             m_source = blocks.Source;
             m_chunks = blocks.Chunks;
             m_checkpoints = blocks.Checkpoints;
-            m_firstChunk = blocks.Las.Header.PointsOffset + LazChunkTable.TableOffsetBytes;
+            m_firstChunk = blocks.Las.Header.PointsOffset + LazChunkTable.TableOffsetSize;
             m_checkpointPoints = Math.Max(1, blocks.LongChunkPoints / 4);
         }
 

@@ -22,7 +22,7 @@ namespace FastPoints.Reading
         };
 
         /// <summary>Metres of a unit by PROJ's name of it or by their number, also as a fraction; 0 for anything else.</summary>
-        public static double UnitOf(string text)
+        public static double MetresOfUnit(string text)
         {
             if (s_metresOfUnit.TryGetValue(text, out double metres))
                 return metres;
@@ -44,7 +44,7 @@ namespace FastPoints.Reading
         /// <summary>Warns if a flat map of the whole cloud misplaces coordinates in degrees.</summary>
         public static void WarnOfPlacement(SourceInfo info)
         {
-            double error = info.Crs.Units.PlacementError(info.BoundsTrusted);
+            double error = info.Crs.Units.PlacementError(info.BoundsIfFinite);
             if (error > MaxPlacementError)
                 info.Warn(-1, "coordinates are in degrees: shown in metres around the centre, corners are " +
                     error.ToString("G2", CultureInfo.InvariantCulture) + " m wrong; a projected copy would be exact");
@@ -119,11 +119,11 @@ namespace FastPoints.Reading
                         break;
                     case "+units":
                     case "+to_meter":
-                        unit = UnitOf(value);
+                        unit = MetresOfUnit(value);
                         break;
                     case "+vunits":
                     case "+vto_meter":
-                        crs.VerticalMetresPerUnit = UnitOf(value);
+                        crs.VerticalMetresPerUnit = MetresOfUnit(value);
                         break;
                 }
             }

@@ -44,7 +44,7 @@ namespace FastPoints.Reading
         public BoundsGeo BoundsClaimed = BoundsGeo.Empty;
 
         /// <summary>The bounds claimed, where they can be true; otherwise empty.</summary>
-        internal BoundsGeo BoundsTrusted => HasBoundsClaimed && BoundsClaimed.IsFinite ? BoundsClaimed : BoundsGeo.Empty;
+        internal BoundsGeo BoundsIfFinite => HasBoundsClaimed && BoundsClaimed.IsFinite ? BoundsClaimed : BoundsGeo.Empty;
 
         public PositionTransform Transform = PositionTransform.Identity;
 

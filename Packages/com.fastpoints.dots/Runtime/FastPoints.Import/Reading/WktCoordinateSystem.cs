@@ -46,9 +46,10 @@ namespace FastPoints.Reading
             if (crs.Epsg == 0)
                 crs.Epsg = EpsgOf(horizontal);
             crs.VerticalEpsg = vertical != horizontal ? EpsgOf(vertical) : 0;
-            crs.MetresPerUnit = vertical == horizontal ? 0 : UnitOf(horizontal);
+            crs.MetresPerUnit = vertical == horizontal ? 0 : MetresOfUnit(horizontal);
             // A third axis has its own unit, as the height above an ellipsoid beside degrees.
-            crs.VerticalMetresPerUnit = vertical != null ? LengthOf(vertical) : UnitOf(ThirdAxis(horizontal)?.Child(s_unit));
+            crs.VerticalMetresPerUnit = vertical != null
+                ? LengthOf(vertical) : MetresOfUnit(ThirdAxis(horizontal)?.Child(s_unit));
             return true;
         }
 
@@ -85,7 +86,7 @@ namespace FastPoints.Reading
                 : 0;
         }
 
-        static double UnitOf(WktNode horizontal)
+        static double MetresOfUnit(WktNode horizontal)
         {
             if (horizontal == null)
                 return 0;

@@ -37,7 +37,7 @@ namespace FastPoints.Sampling
             m_table = new NativeArray<ulong>(OccupiedCells.Words, Allocator.Persistent);
             // At a half, half of the sample's entries are free.
             m_points = new SampleBuffer(schema, transform, Math.Max(1, wanted / 2));
-            m_points.FillAll();
+            m_points.MarkAllFilled();
             m_count = new NativeReference<int>(Allocator.Persistent);
         }
 

@@ -14,7 +14,7 @@ namespace FastPoints.Sampling
     /// <remarks>A later wave decodes a block's prefix again to reach what follows it: a tenth of its own work if waves are ten
     /// times as large. Points of one prefix are neighbours, so the sample is coarser than a uniform one of as many
     /// points.</remarks>
-    sealed class PrefixWaveReader : WaveReader, IBlockConsumer
+    sealed class PrefixWaveReader : PreviewWaveReader, IBlockConsumer
     {
         /// <summary>Shorter prefixes are decoded about as fast as they are read, so more of them are requested at a time, which a
         /// slow disk needs as well. A LAZ slot takes 1.5 MB.</summary>

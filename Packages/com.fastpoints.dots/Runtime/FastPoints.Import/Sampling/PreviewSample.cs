@@ -39,7 +39,7 @@ namespace FastPoints.Sampling
 
         /// <summary>Number of points among them that were only taken because no other point is near; each of the others
         /// represents an equal number of the source's points.</summary>
-        public int Placeholders { get; internal set; }
+        public int PlaceholderCount { get; internal set; }
 
         /// <summary>Whether they are all from the start of the source, because reading the rest takes a pass over all
         /// of it.</summary>

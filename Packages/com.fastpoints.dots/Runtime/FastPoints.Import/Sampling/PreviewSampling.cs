@@ -58,7 +58,7 @@ namespace FastPoints.Sampling
                 yield return JobStep.Of(m_options.Exact ? Scan(progress) : TakeWaves(progress));
             }
 
-            ThrowIfChanged();
+            WarnIfChanged();
             progress?.End();
         }
 
@@ -68,8 +68,8 @@ namespace FastPoints.Sampling
             return file != null && file.Exists ? (file.Length, file.LastWriteTimeUtc) : default;
         }
 
-        /// <summary>Throws if the file has changed: a header and points of different files would give nonsense.</summary>
-        void ThrowIfChanged()
+        /// <summary>A header and points of different files give nonsense, which is shown all the same.</summary>
+        void WarnIfChanged()
         {
             var now = FileNow();
             if (now.Equals(m_fileBefore))
@@ -119,7 +119,7 @@ namespace FastPoints.Sampling
         {
             double before = m_watch.Elapsed.TotalSeconds;
             long bytesBefore = m_waves.Count == 0 ? 0 : m_waves[m_waves.Count - 1].BytesRead;
-            using var sampler = new WaveSampler(m_reader, wanted, m_options.Seed);
+            using var sampler = new PreviewWaveSampler(m_reader, wanted, m_options.Seed);
             sampler.WaveReady += wave => Add(sampler.Sample, wave, before, bytesBefore);
             yield return JobStep.Of(sampler.Run(0, progress));
             Sample = sampler.TakeSample();

@@ -11,7 +11,7 @@ namespace FastPoints.Sampling
     /// for which.</summary>
     /// <remarks>The time of the first reads decides between two plans (<see cref="ReadStrategy"/>), and the time of the first
     /// wave's reads decides which gaps between ranges are read along.</remarks>
-    sealed class RangeWaveReader : WaveReader
+    sealed class RangeWaveReader : PreviewWaveReader
     {
         /// <summary>Ranges in one request: the most take a worker about a millisecond; the fewest take the main thread
         /// as long to begin as any others.</summary>

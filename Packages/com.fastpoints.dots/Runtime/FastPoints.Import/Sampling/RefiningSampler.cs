@@ -85,7 +85,7 @@ namespace FastPoints.Sampling
         bool IThrottledConsumer.IsReady => !IsPaused;
 
         /// <summary>Coroutine, once.</summary>
-        /// <param name="slots">Blocks in flight; 0 for what <see cref="WaveReader.LimitFor"/> says.</param>
+        /// <param name="slots">Blocks in flight; 0 for what <see cref="PreviewWaveReader.LimitFor"/> says.</param>
         public IEnumerator<JobStep> Run(int slots, StageProgress progress)
         {
             m_watch.Restart();
@@ -129,7 +129,7 @@ namespace FastPoints.Sampling
         {
             m_buffer = new SampleBuffer(m_schema, m_reader.Info.Transform, m_strata.Count);
             m_slots = new ReadSlots(m_reader, m_schema, m_reader.MaxPointsPerBlock,
-                WaveReader.LimitFor(m_reader, m_schema, slots, SourceScan.SlotsFor(m_reader, m_schema)), 0);
+                PreviewWaveReader.LimitFor(m_reader, m_schema, slots, SourceScan.SlotsFor(m_reader, m_schema)), 0);
             // Of a remote block it is not known ahead what a slice needs.
             bool canSlice = m_reader.BlockCount <= RefiningPlan.MaxSlicedBlocks && !m_reader.IsRemote &&
                 m_slots.TryEnableStates();
@@ -198,11 +198,11 @@ namespace FastPoints.Sampling
             using var composed = new SampleBuffer(m_schema, m_reader.Info.Transform,
                 (int)Math.Min(m_strata.Count, own + m_placeholders.Count));
             yield return JobStep.Of(composed.Append(m_buffer, 0, m_strata.Count));
-            int placeholders = Math.Min(m_placeholders.Count, composed.EntryCount - composed.CompactedCount);
+            int placeholders = Math.Min(m_placeholders.Count, composed.EntryCount - composed.ExaminedCount);
             yield return JobStep.Of(composed.Append(m_placeholders.Points, 0, placeholders));
             Replace(composed.CreateSample());
             m_sample.PointsInSource = m_reader.PointCount;
-            m_sample.Placeholders = placeholders;
+            m_sample.PlaceholderCount = placeholders;
             m_sample.Method = "points of a full scan as far as it has come, and others where a region would be bare";
         }
 

@@ -38,10 +38,9 @@ namespace FastPoints.Sampling
         public NativeArray<PointColumn> Columns => m_columns;
 
         /// <summary>Entries that are closed, whether their point was kept or not. Only while nothing is in flight.</summary>
-        public int CompactedCount => m_state.Value.Kept + (int)m_state.Value.Bounds.NonFiniteCount;
+        public int ExaminedCount => m_state.Value.Kept + (int)m_state.Value.Bounds.NonFiniteCount;
 
-        /// <summary>For code that fills entries from the first on.</summary>
-        public unsafe void FillAll() => UnsafeUtility.MemSet(m_filled.GetUnsafePtr(), 1, m_filled.Length);
+        public unsafe void MarkAllFilled() => UnsafeUtility.MemSet(m_filled.GetUnsafePtr(), 1, m_filled.Length);
 
         /// <summary>The location of the batch's columns, for a job. The caller disposes it.</summary>
         public static NativeArray<PointColumn> ColumnsOf(PointBatch batch)

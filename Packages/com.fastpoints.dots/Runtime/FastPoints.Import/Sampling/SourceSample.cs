@@ -253,7 +253,7 @@ namespace FastPoints.Sampling
             long carried = 0;
             for (int t = 0; t < tiles.TileCount; t++)
             {
-                long points = tiles.TileOf(t).Points;
+                long points = tiles.TileEntryOf(t).Points;
                 var (first, count) = tiles.BlocksOf(t);
                 int end = next;
                 while (end < sampled.Count && sampled[end].Block < first + count)

@@ -56,7 +56,7 @@ namespace FastPoints.Sources
     {
         readonly LasTemplate m_template;
         readonly bool m_isPotree;
-        readonly LazFileDecoder m_decoder;
+        readonly LasFileDecoder m_decoder;
 
         // isPotree: offsets are rounded, and the points of nodes are counted by their files.
         public LasNodeRead(NodeReader reader, LasTemplate template, bool isPotree, PointSchema wanted, int capacity,
@@ -67,7 +67,7 @@ namespace FastPoints.Sources
             m_isPotree = isPotree;
             try
             {
-                m_decoder = Own(new LazFileDecoder(template, Points, isPotree, allocator));
+                m_decoder = Own(new LasFileDecoder(template, Points, isPotree, allocator));
             }
             catch (ArgumentException)
             {

@@ -58,7 +58,7 @@ namespace FastPoints.Rendering.BuiltIn
             // Scriptable pipelines have their own passes.
             if (GraphicsSettings.currentRenderPipeline != null)
                 return;
-            bool isDrawn = PointScene.IsDrawn(camera);
+            bool isDrawn = PointScene.ShowsClouds(camera);
             // A camera that no longer draws clouds would repeat its last commands.
             if (!isDrawn && !s_cameras.Contains(camera))
                 return;

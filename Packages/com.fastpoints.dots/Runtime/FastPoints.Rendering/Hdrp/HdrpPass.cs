@@ -33,7 +33,7 @@ namespace FastPoints.Rendering.Hdrp
         {
             var scene = PointScene.Current;
             var camera = ctx.hdCamera.camera;
-            if (scene == null || !PointScene.IsDrawn(camera))
+            if (scene == null || !PointScene.ShowsClouds(camera))
                 return;
             bool isForHeadset = !camera.TryGetComponent<HDAdditionalCameraData>(out var data) || data.xrRendering;
             scene.AddView(camera, isForHeadset);
@@ -43,7 +43,7 @@ namespace FastPoints.Rendering.Hdrp
                 target.Eye = EyeOf(ctx.hdCamera);
             target.IsSubViewport = true;
             if (scene.IsLit)
-                target.Light = SceneLights.OfSunsColor();
+                target.Light = SceneLights.OfSunWithoutIntensity();
             target.WidthPx = ctx.hdCamera.actualWidth;
             target.HeightPx = ctx.hdCamera.actualHeight;
             scene.Record(ctx.cmd, camera, target);

@@ -145,7 +145,7 @@ namespace FastPoints.Rendering.Urp
                 return;
             // The pipeline's own getter would add the component to cameras of the user's scene.
             bool hasData = camera.TryGetComponent<UniversalAdditionalCameraData>(out var cameraData);
-            if (!PointScene.IsDrawn(camera, hasData && cameraData.renderType == CameraRenderType.Overlay))
+            if (!PointScene.ShowsClouds(camera, hasData && cameraData.renderType == CameraRenderType.Overlay))
                 return;
             // Into such a target URP draws only depth.
             if (camera.targetTexture != null && camera.targetTexture.graphicsFormat == GraphicsFormat.None)

@@ -47,7 +47,7 @@ namespace FastPoints
         public string FullMessage => Code == FailureCode.Unexpected ? Message + "\n" + InnerException : Message;
 
         /// <summary>Whether the input itself is at fault, and not the system around it.</summary>
-        public bool IsBadInput =>
+        public bool IsInputAtFault =>
             Code == FailureCode.BadInput || Code == FailureCode.Truncated || Code == FailureCode.Unsupported;
 
         static string Line(string path, long byteOffset, string what) =>

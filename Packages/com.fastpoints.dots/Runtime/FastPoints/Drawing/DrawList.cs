@@ -123,7 +123,7 @@ namespace FastPoints.Drawing
                 IsLitByDepths |= isLit && listed.Look.NormalPlane == 0;
                 IsLitByNormals |= isLit && listed.Look.NormalPlane > 0;
                 FiltersPoints |= !listed.Look.HiddenClasses.IsEmpty;
-                m_clouds.Add(listed.Describe(cloud.Source.Layout, cloud.Source.Planes[listed.Look.Plane],
+                m_clouds.Add(listed.ToGpuCloud(cloud.Source.Layout, cloud.Source.Planes[listed.Look.Plane],
                     cloud.Source.Planes[listed.Look.ClassPlane]));
             }
             if (IsProgressive)

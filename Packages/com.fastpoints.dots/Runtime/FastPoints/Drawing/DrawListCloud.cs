@@ -24,7 +24,7 @@ namespace FastPoints.Drawing
             View.IntersectsFrustum(center, half) || (HasBothEyes && RightView.IntersectsFrustum(center, half));
 
         // Without its first instance and place in the size tree. The planes begin at the bank's first word.
-        public readonly GpuNode ToGpu(in DrawnNode drawn)
+        public readonly GpuNode ToGpuNode(in DrawnNode drawn)
         {
             int page = drawn.Page, node = drawn.Node;
             uint firstWord = (uint)drawn.Range.FirstPage * (NodePool.PageBytes / sizeof(uint));
@@ -63,7 +63,7 @@ namespace FastPoints.Drawing
         }
 
         // plane: index in the layout of the plane that colours the points; classPlane: that of the classes, if some are hidden.
-        public readonly GpuCloud Describe(StoreLayout layout, int plane, int classPlane)
+        public readonly GpuCloud ToGpuCloud(StoreLayout layout, int plane, int classPlane)
         {
             var linear = Placement.Linear;
             var cloud = new GpuCloud
@@ -91,7 +91,7 @@ namespace FastPoints.Drawing
             if (Look.Source == ColorSource.Position)
                 return cloud;
             var of = layout.Planes[plane];
-            cloud.Columns = (uint)(of.ColumnCount | of.Shape.WideColumns << 8);
+            cloud.Columns = (uint)(of.ColumnCount | of.Shape.WideColumnMask << 8);
             for (int c = 0; c < of.ColumnCount; c++)
             {
                 var column = layout.Columns[of.FirstColumn + c];

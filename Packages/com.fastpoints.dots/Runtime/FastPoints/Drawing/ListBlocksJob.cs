@@ -80,7 +80,7 @@ namespace FastPoints.Drawing
                 var cloud = clouds + drawn.Cloud;
                 var from = cloud->Pages[drawn.Page].Nodes + drawn.Node;
                 int blocks = from->BlockCount;
-                var node = cloud->ToGpu(drawn);
+                var node = cloud->ToGpuNode(drawn);
                 int instance = InstanceOfBank[drawn.Range.Bank];
                 InstanceOfBank[drawn.Range.Bank] = instance + blocks;
                 node.FirstInstance = (uint)instance;

@@ -23,20 +23,18 @@ namespace FastPoints.Drawing
         {
             this = default;
             m_lengths = lengths;
-            Forward = -math.normalize(new double3(toLight.x, toLight.y, toLight.z));
-            m_right = math.normalize(math.cross(Forward, AxisOf(math.abs(Forward.z) < 0.9 ? 2 : 1)));
-            m_up = math.cross(m_right, Forward);
+            UnitForward = -math.normalize(new double3(toLight.x, toLight.y, toLight.z));
+            m_right = math.normalize(math.cross(UnitForward, AxisOf(math.abs(UnitForward.z) < 0.9 ? 2 : 1)));
+            m_up = math.cross(m_right, UnitForward);
             (m_min, m_max) = (double.PositiveInfinity, double.NegativeInfinity);
         }
 
-        // The way that the light goes; a unit vector but for the lengths, as the others.
-        public double3 Forward { get; }
+        // The way that the light goes.
+        public double3 UnitForward { get; }
         public double3 Right => m_right * m_lengths;
         public double3 Up => m_up * m_lengths;
-        public double3 AlongLight => Forward * m_lengths;
-
-        // The middle of the map.
-        public double3 EyeWorld { get; private set; }
+        public double3 ScaledForward => UnitForward * m_lengths;
+        public double3 MiddleWorld { get; private set; }
         public double TexelWorld { get; private set; } // 0: nothing is in view.
         public double EdgeWorld => TexelWorld * EdgePx;
 
@@ -81,33 +79,33 @@ namespace FastPoints.Drawing
             TexelWorld = Math.Pow(2, Math.Ceiling(Math.Log(Math.Max(longest, 1e-9) / (EdgePx - StepPx), 2)));
             double step = TexelWorld * StepPx;
             var middle = math.round((m_min + m_max) / (2 * step)) * step;
-            EyeWorld = (m_right * middle.x + m_up * middle.y + Forward * middle.z) / m_lengths;
+            MiddleWorld = (m_right * middle.x + m_up * middle.y + UnitForward * middle.z) / m_lengths;
         }
 
         public StreamView ViewFor(in StreamView camera)
         {
-            var view = StreamView.Orthographic(EyeWorld, Right, Up, EdgeWorld, new double2(EdgePx, EdgePx));
+            var view = StreamView.Orthographic(MiddleWorld, Right, Up, EdgeWorld, new double2(EdgePx, EdgePx));
             (view.Mask, view.IsLight) = (camera.Mask, true);
             return view;
         }
 
         public MainLightShadow From(double3 eyeWorld)
         {
-            var fromMiddle = (eyeWorld - EyeWorld) * m_lengths;
+            var fromMiddle = (eyeWorld - MiddleWorld) * m_lengths;
             return new MainLightShadow
             {
                 Column = (float3)(m_right / TexelWorld),
                 Row = (float3)(-m_up / TexelWorld),
-                Forward = (float3)Forward,
+                Forward = (float3)UnitForward,
                 Eye = (float3)new double3(math.dot(m_right, fromMiddle) / TexelWorld + EdgePx / 2,
-                    EdgePx / 2 - math.dot(m_up, fromMiddle) / TexelWorld, math.dot(Forward, fromMiddle)),
+                    EdgePx / 2 - math.dot(m_up, fromMiddle) / TexelWorld, math.dot(UnitForward, fromMiddle)),
                 TexelWorld = (float)TexelWorld,
             };
         }
 
         void Include(double3 world)
         {
-            var place = new double3(math.dot(world, Right), math.dot(world, Up), math.dot(world, AlongLight));
+            var place = new double3(math.dot(world, Right), math.dot(world, Up), math.dot(world, ScaledForward));
             (m_min, m_max) = (math.min(m_min, place), math.max(m_max, place));
         }
 

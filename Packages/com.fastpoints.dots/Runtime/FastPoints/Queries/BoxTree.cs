@@ -27,11 +27,10 @@ namespace FastPoints.Queries
         }
 
         // The box around all leaves, of which there are some.
-        public readonly void GetAll(out double3 middle, out double3 half) =>
+        public readonly void GetBounds(out double3 middle, out double3 half) =>
             Eights[EightsOf(LeafCount) - 1].Get(0, out middle, out half);
 
-        // Of what is below the box around all.
-        public readonly int TopLevel
+        public readonly int LevelBelowRoot
         {
             get
             {
@@ -42,7 +41,7 @@ namespace FastPoints.Queries
             }
         }
 
-        public readonly EightBoxes* LevelOf(int level, out int boxes)
+        public readonly EightBoxes* BoxesOfLevel(int level, out int boxes)
         {
             var eights = Eights;
             boxes = LeafCount;

@@ -47,7 +47,7 @@ namespace FastPoints.Queries
         {
             var source = cloud.Source;
             var found = cloud.Pages[node.Page].Nodes[node.Node];
-            if (source.Transcodes(node.Page, node.Node) && (m_transcoder = source.RentTranscoder(found.PointCount)) == null)
+            if (source.Transcodes(node.Page, node.Node) && (m_transcoder = source.TryRentTranscoder(found.PointCount)) == null)
                 return false;
             m_cloud = cloud;
             m_node = new CopiedNode
@@ -72,8 +72,9 @@ namespace FastPoints.Queries
                     m_reads.Add(new StoreRead());
                 var range = cloud.RangeOf(node.Page, node.Node, p);
                 bool isComputed = source.IsComputed(p);
-                m_reads[p].Begin(isComputed ? source.PathOfComputed(node.Page) : source.PathOf(node.Page), range.OffsetBytes,
-                    range.LengthBytes, isComputed ? source.RemoteOfComputed(node.Page) : source.RemoteOf(node.Page));
+                m_reads[p].Begin(isComputed ? source.PathOfComputed(node.Page) : source.PlanesPathOf(node.Page),
+                    range.OffsetBytes, range.LengthBytes,
+                    isComputed ? source.RemoteOfComputed(node.Page) : source.PlanesRemoteOf(node.Page));
             }
             return true;
         }

@@ -42,7 +42,7 @@ namespace FastPoints.Queries
             // the origin.
             var corner = CornerOf(block, out var min);
             var at = new BlockCorner { Block = block, Corner = corner, Local = ToDouble(corner) * Step };
-            at.FromOrigin = Space.FromOrigin(at.Local);
+            at.FromOrigin = Space.RelativeToOrigin(at.Local);
             if (Filter.IsUsed)
             {
                 var extent = new float3(ExtentOf(block, 0), ExtentOf(block, 1), ExtentOf(block, 2));

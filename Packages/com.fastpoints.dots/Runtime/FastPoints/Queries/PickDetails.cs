@@ -67,8 +67,8 @@ namespace FastPoints.Queries
             foreach (var plane in m_planes)
             {
                 var range = m_cloud.RangeOf(hit.Page, hit.Node, plane.Number);
-                var remote = Source.RemoteOf(hit.Page);
-                plane.Read.Begin(Source.PathOf(hit.Page), range.OffsetBytes, range.LengthBytes, remote);
+                var remote = Source.PlanesRemoteOf(hit.Page);
+                plane.Read.Begin(Source.PlanesPathOf(hit.Page), range.OffsetBytes, range.LengthBytes, remote);
                 if (remote == null)
                     Schedule(plane, plane.Read.Bytes, range.Hash, plane.Read.Done);
             }
@@ -78,7 +78,7 @@ namespace FastPoints.Queries
         public void Continue()
         {
             foreach (var plane in m_planes)
-                if (Source.RemoteOf(m_hit.Page) != null)
+                if (Source.PlanesRemoteOf(m_hit.Page) != null)
                 {
                     plane.Read.Complete();
                     Schedule(plane, plane.Read.Bytes, m_cloud.RangeOf(m_hit.Page, m_hit.Node, plane.Number).Hash, default);
@@ -104,7 +104,7 @@ namespace FastPoints.Queries
             {
                 plane.Read.Complete();
                 if (plane.IsDamaged.Value)
-                    throw new PointCloudException(FailureCode.BadInput, Source.PathOf(m_hit.Page),
+                    throw new PointCloudException(FailureCode.BadInput, Source.PlanesPathOf(m_hit.Page),
                         m_cloud.RangeOf(m_hit.Page, m_hit.Node, plane.Number).OffsetBytes,
                         "node " + m_hit.Node + ", plane \"" + plane.Layout.Name + "\": is damaged");
                 for (int c = 0; c < plane.Layout.ColumnCount; c++)

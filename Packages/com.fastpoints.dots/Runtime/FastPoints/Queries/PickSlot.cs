@@ -46,7 +46,7 @@ namespace FastPoints.Queries
             (!m_isTranscoding || m_transcoder.TryScheduleDecode());
 
         // Whether Continue has something to do when it is.
-        public bool HasMore => m_candidate.IsPage || m_isTranscoding || Source.RemoteOf(m_candidate.Page) != null;
+        public bool HasMore => m_candidate.IsPage || m_isTranscoding || Source.PlanesRemoteOf(m_candidate.Page) != null;
 
         public long Bytes { get; private set; }
 
@@ -56,7 +56,7 @@ namespace FastPoints.Queries
             m_candidate = candidate;
             if (candidate.IsPage || !Source.Transcodes(candidate.Page, candidate.Node))
                 return true;
-            m_transcoder = Source.RentTranscoder(m_cloud.Pages[candidate.Page].Nodes[candidate.Node].PointCount);
+            m_transcoder = Source.TryRentTranscoder(m_cloud.Pages[candidate.Page].Nodes[candidate.Node].PointCount);
             return m_transcoder != null;
         }
 
@@ -79,7 +79,7 @@ namespace FastPoints.Queries
                 BuildPage();
             else if (m_transcoder != null)
                 SearchTranscoded();
-            else if (Source.RemoteOf(m_candidate.Page) != null)
+            else if (Source.PlanesRemoteOf(m_candidate.Page) != null)
                 SearchFetched();
         }
 
@@ -135,7 +135,7 @@ namespace FastPoints.Queries
             TryCompleteNormals();
             ReturnTranscoder();
             if (m_isDamaged.Value)
-                throw new PointCloudException(FailureCode.BadInput, Source.PathOf(m_candidate.Page),
+                throw new PointCloudException(FailureCode.BadInput, Source.PlanesPathOf(m_candidate.Page),
                     m_cloud.RangeOf(m_candidate.Page, m_candidate.Node, StoreLayout.PositionPlane).OffsetBytes,
                     "node " + m_candidate.Node + " is damaged");
             hits.Add((PickHit*)m_hits.GetUnsafeReadOnlyPtr(), m_totals.Value);
@@ -181,8 +181,8 @@ namespace FastPoints.Queries
 
         void BeginReading()
         {
-            string path = Source.PathOf(m_candidate.Page);
-            var remote = Source.RemoteOf(m_candidate.Page);
+            string path = Source.PlanesPathOf(m_candidate.Page);
+            var remote = Source.PlanesRemoteOf(m_candidate.Page);
             var positions = m_cloud.RangeOf(m_candidate.Page, m_candidate.Node, StoreLayout.PositionPlane);
             m_first.Begin(path, positions.OffsetBytes, positions.LengthBytes, remote);
             Bytes = positions.LengthBytes;

@@ -56,10 +56,10 @@ namespace FastPoints.Queries
 
         public readonly bool IsRay => m_query.Shape == QueryShape.Ray;
 
-        public readonly RayBoxes BoxesOf(in BoxTree tree) => new RayBoxes(m_query, m_local, tree);
+        public readonly BoxTreeRay RayFor(in BoxTree tree) => new BoxTreeRay(m_query, m_local, tree);
 
         // From CRS units from the corner of the root cube to the world, relative to the query's origin.
-        public readonly double3 FromOrigin(double3 local) => math.mul(m_linear, local) + m_fromOrigin;
+        public readonly double3 RelativeToOrigin(double3 local) => math.mul(m_linear, local) + m_fromOrigin;
 
         // The same for a difference of places.
         public readonly double3 ToWorldVector(double3 local) => math.mul(m_linear, local);
@@ -89,7 +89,7 @@ namespace FastPoints.Queries
             distance = DistanceTo(center, half);
             if (m_query.Shape == QueryShape.Sphere)
                 return distance <= m_query.Radius;
-            var from = FromOrigin(center);
+            var from = RelativeToOrigin(center);
             var at = math.abs(math.mul(m_toBox, from));
             var reach = Reach(m_localToBox, half) + Reach(m_toBox, Slack * (math.abs(from) + math.abs(m_fromOrigin)));
             return math.all(at - reach <= m_halfBox);

@@ -202,7 +202,7 @@ namespace FastPoints.Queries
             for (int n = 0; n < cloud.Tree.LeafCount; n++)
             {
                 var tree = m_nodes[cloud.FirstNode + n].Tree;
-                tree.GetAll(out var middle, out var half);
+                tree.GetBounds(out var middle, out var half);
                 middle += tree.Corner;
                 eights[n / BoxTree.FanOut].Set(n % BoxTree.FanOut, middle - half, middle + half);
             }

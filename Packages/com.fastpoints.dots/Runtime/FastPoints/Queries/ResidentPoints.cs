@@ -160,25 +160,25 @@ namespace FastPoints.Queries
         {
             [NativeDisableUnsafePtrRestriction] public PendingBox* Items;
             public int Count;
-            RayBoxes m_raysOfCloud;
-            RayBoxes m_raysOfNode;
+            BoxTreeRay m_raysOfCloud;
+            BoxTreeRay m_raysOfNode;
 
             public void Begin(in BoxTree tree, int node, in QuerySpace space, double limit)
             {
                 if (tree.LeafCount == 0)
                     return;
                 if (space.IsRay && node < 0)
-                    m_raysOfCloud = space.BoxesOf(tree);
+                    m_raysOfCloud = space.RayFor(tree);
                 else if (space.IsRay)
-                    m_raysOfNode = space.BoxesOf(tree);
-                Push(tree, new PendingBox { Node = node, Level = tree.TopLevel + 1 }, space, limit);
+                    m_raysOfNode = space.RayFor(tree);
+                Push(tree, new PendingBox { Node = node, Level = tree.LevelBelowRoot + 1 }, space, limit);
             }
 
             // The nearest of a parent's boxes comes on top; those beyond the limit are left out.
             public void Push(in BoxTree tree, in PendingBox parent, in QuerySpace space, double limit)
             {
                 int level = parent.Level - 1, bottom = Count;
-                var boxes = tree.LevelOf(level, out int boxCount) + parent.Index;
+                var boxes = tree.BoxesOfLevel(level, out int boxCount) + parent.Index;
                 double* distances = stackalloc double[BoxTree.FanOut];
                 uint hits = Intersect(boxes, tree, parent.Node, space, distances);
                 int first = parent.Index * BoxTree.FanOut;
@@ -202,9 +202,9 @@ namespace FastPoints.Queries
                 if (space.IsRay)
                 {
                     float* starts = stackalloc float[BoxTree.FanOut];
-                    fixed (RayBoxes* rays = &(node < 0 ? ref m_raysOfCloud : ref m_raysOfNode))
+                    fixed (BoxTreeRay* rays = &(node < 0 ? ref m_raysOfCloud : ref m_raysOfNode))
                     {
-                        hits = (uint)RayBoxes.Intersect(rays, boxes, starts);
+                        hits = (uint)BoxTreeRay.Intersect(rays, boxes, starts);
                         for (int box = 0; box < BoxTree.FanOut; box++)
                             distances[box] = rays->Base + starts[box];
                     }

@@ -27,9 +27,9 @@ namespace FastPoints.Store
         struct Page
         {
             public PageLink Link;
-            public int Table; // Number of the container that it lies in.
-            public int Planes; // Of that of its nodes' planes; unknown until it was loaded, as the next two.
-            public int Computed; // Of that of planes that were computed.
+            public int TableContainer; // A number, as the next two.
+            public int PlanesContainer; // Of its nodes' planes; unknown until it was loaded, as the next two.
+            public int ComputedContainer; // Of planes that were computed.
             public int FirstBelow;
         }
 
@@ -67,7 +67,7 @@ namespace FastPoints.Store
         public NodeTable Root { get; private set; }
 
         // Null unless the folder was opened to be shown.
-        internal VerifiedPlanes Checked { get; private set; }
+        internal VerifiedPlanes VerifiedPlanes { get; private set; }
 
         /// <summary>The pages that are known so far: page 0, and those that a loaded page links to.</summary>
         public int PageCount => m_pages.Count;
@@ -80,38 +80,38 @@ namespace FastPoints.Store
         /// links.</summary>
         public int FirstBelow(int page) => m_pages[page].FirstBelow;
 
-        internal ContainerRecord ContainerOf(int page) => m_containers[m_pages[page].Planes].Record;
+        internal ContainerRecord PlanesContainerOf(int page) => m_containers[m_pages[page].PlanesContainer].Record;
 
         // The same of computed planes, where the cloud has some.
-        internal string PathOfComputed(int page) => m_containers[m_pages[page].Computed].Path;
+        internal string PathOfComputed(int page) => m_containers[m_pages[page].ComputedContainer].Path;
 
-        internal ContainerRecord ContainerOfComputed(int page) => m_containers[m_pages[page].Computed].Record;
+        internal ContainerRecord ContainerOfComputed(int page) => m_containers[m_pages[page].ComputedContainer].Record;
 
-        internal RemoteFile RemoteOfComputed(int page) => RemoteOfContainer(m_pages[page].Computed);
+        internal RemoteFile RemoteOfComputed(int page) => RemoteOfContainer(m_pages[page].ComputedContainer);
 
-        /// <summary>The path of <see cref="ContainerOf"/>.</summary>
-        public string PathOf(int page) => m_containers[m_pages[page].Planes].Path;
+        /// <summary>The path of <see cref="PlanesContainerOf"/>.</summary>
+        public string PlanesPathOf(int page) => m_containers[m_pages[page].PlanesContainer].Path;
 
         // On a web server; null on this machine's disk.
-        internal RemoteFile RemoteOf(int page) =>
-            m_pages[page].Planes == Unknown ? null : RemoteOfContainer(m_pages[page].Planes);
+        internal RemoteFile PlanesRemoteOf(int page) =>
+            m_pages[page].PlanesContainer == Unknown ? null : RemoteOfContainer(m_pages[page].PlanesContainer);
 
-        internal RemoteFile RemoteOfTable(int page) => RemoteOfContainer(m_pages[page].Table);
+        internal RemoteFile RemoteOfTable(int page) => RemoteOfContainer(m_pages[page].TableContainer);
 
         internal FilePiece TableOf(int page) => new FilePiece
         {
-            Path = m_containers[m_pages[page].Table].Path,
+            Path = m_containers[m_pages[page].TableContainer].Path,
             OffsetBytes = m_pages[page].Link.OffsetBytes,
             LengthBytes = m_pages[page].Link.LengthBytes,
         };
 
-        /// <summary>Whether a path looks like a cloud's folder. Of an address the name alone says so.</summary>
+        /// <summary>Whether a cloud is there, if only an unfinished one. Of an address the name alone says so.</summary>
         public static bool IsCloud(string path) => SourcePath.IsRemote(path)
             ? SourcePath.NameOf(path).EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase)
-            : File.Exists(Path.Combine(Find(path), StoreFormat.ManifestName));
+            : File.Exists(Path.Combine(FinalOrUnfinished(path), StoreFormat.ManifestName));
 
-        /// <summary>Finds a cloud under its name, or, if that does not exist yet, its unfinished folder.</summary>
-        public static string Find(string path)
+        /// <summary>The path itself, or, if that does not exist, that of its unfinished folder if there is one.</summary>
+        public static string FinalOrUnfinished(string path)
         {
             string name = path.TrimEnd(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar);
             return SourcePath.IsRemote(path) || Directory.Exists(path) ||
@@ -121,7 +121,7 @@ namespace FastPoints.Store
         /// <exception cref="PointCloudException">It is not a cloud, or its manifest or hierarchy is damaged.</exception>
         public static CloudFolder Open(string path)
         {
-            path = Find(path);
+            path = FinalOrUnfinished(path);
             // An unfinished cloud may get another generation while its files are opened.
             for (int attempt = 0; ; attempt++)
             {
@@ -132,7 +132,7 @@ namespace FastPoints.Store
                 catch (PointCloudException) when
                     (attempt < 3 && path.EndsWith(StoreFormat.UnfinishedSuffix, StringComparison.Ordinal))
                 {
-                    path = Find(path.Substring(0, path.Length - StoreFormat.UnfinishedSuffix.Length));
+                    path = FinalOrUnfinished(path.Substring(0, path.Length - StoreFormat.UnfinishedSuffix.Length));
                 }
             }
         }
@@ -150,7 +150,7 @@ namespace FastPoints.Store
             var folder = Open(path, CloudManifest.FromJson(StoreFile.ReadText(manifestPath), manifestPath));
             // What comes from elsewhere is hashed each time.
             if (!folder.m_isRemote)
-                folder.Checked = VerifiedPlanes.Of(folder.Manifest.RootHash, folder.IsUnfinished ? null : path);
+                folder.VerifiedPlanes = VerifiedPlanes.Of(folder.Manifest.RootHash, folder.IsUnfinished ? null : path);
             return folder;
         }
 
@@ -205,7 +205,7 @@ namespace FastPoints.Store
         }
 
         // Every page, each after the one that links to it; its table lasts until the next.
-        internal IEnumerable<NodeTable> LoadAll()
+        internal IEnumerable<NodeTable> EachTable()
         {
             yield return Root;
             for (int page = 1; page < PageCount; page++)
@@ -227,11 +227,11 @@ namespace FastPoints.Store
         internal void FetchFrom(int page)
         {
             for (int p = page; m_isRemote && p < Math.Min(page + MaxPagesInFlight, PageCount); p++)
-                TryFetchPage(p);
+                BeginFetchPage(p);
         }
 
         // Starts to fetch the page if it is on a web server and is not here. Returns whether LoadPage can run without waiting.
-        internal bool TryFetchPage(int page)
+        internal bool BeginFetchPage(int page)
         {
             if (!m_isRemote || IsInTail(page))
                 return true;
@@ -259,23 +259,24 @@ namespace FastPoints.Store
                 return;
             var header = view.Header;
             known.FirstBelow = m_pages.Count;
-            known.Planes = header.NodeCount == 0 ? known.Table : NumberOf(view.Containers[view.ContainerOfPlane[0]]);
-            known.Computed = header.NodeCount == 0 ? known.Table
+            known.PlanesContainer = header.NodeCount == 0 ? known.TableContainer
+                : NumberOf(view.Containers[view.ContainerOfPlane[0]]);
+            known.ComputedContainer = header.NodeCount == 0 ? known.TableContainer
                 : NumberOf(view.Containers[view.ContainerOfPlane[header.PlaneCount - 1]]);
             m_pages[page] = known;
             for (int l = 0; l < header.LinkCount; l++)
             {
                 var link = view.Links[l];
-                Add(link, link.Container < 0 ? known.Table : NumberOf(view.Containers[link.Container]));
+                Add(link, link.Container < 0 ? known.TableContainer : NumberOf(view.Containers[link.Container]));
             }
         }
 
         void Add(in PageLink link, int container) => m_pages.Add(new Page
         {
             Link = link,
-            Table = container,
-            Planes = Unknown,
-            Computed = Unknown,
+            TableContainer = container,
+            PlanesContainer = Unknown,
+            ComputedContainer = Unknown,
             FirstBelow = Unknown,
         });
 
@@ -309,7 +310,7 @@ namespace FastPoints.Store
             m_tail = StoreFile.Read(RemoteOfTable(0), Manifest.HierarchyBytes - bytes, bytes, Allocator.Persistent);
         }
 
-        bool IsInTail(int page) => m_tail.IsCreated && m_pages[page].Table == 0 &&
+        bool IsInTail(int page) => m_tail.IsCreated && m_pages[page].TableContainer == 0 &&
             m_pages[page].Link.OffsetBytes >= Manifest.HierarchyBytes - m_tail.Length;
 
         // A page that came with the root's. The memory has room for it.
@@ -325,7 +326,7 @@ namespace FastPoints.Store
 
         unsafe NativeArray<byte> Fetched(int page)
         {
-            TryFetchPage(page);
+            BeginFetchPage(page);
             m_fetched.TryGetValue(page, out var fetched);
             m_fetched.Remove(page);
             using var read = fetched;

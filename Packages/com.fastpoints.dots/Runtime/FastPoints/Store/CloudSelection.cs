@@ -33,10 +33,10 @@ namespace FastPoints.Store
 
         /// <summary>The file of planes that were computed, or of the others.</summary>
         public RemoteFile RemoteOf(int page, bool isComputed = false) =>
-            isComputed ? Folder.RemoteOfComputed(page) : Folder.RemoteOf(page);
+            isComputed ? Folder.RemoteOfComputed(page) : Folder.PlanesRemoteOf(page);
 
         public string PathOf(int page, bool isComputed = false) =>
-            isComputed ? Folder.PathOfComputed(page) : Folder.PathOf(page);
+            isComputed ? Folder.PathOfComputed(page) : Folder.PlanesPathOf(page);
 
         /// <summary>Chooses what streaming would choose without a camera: the children of the widest spacing first,
         /// ties by page and node number, until the next one would exceed the budget.</summary>
@@ -158,7 +158,7 @@ namespace FastPoints.Store
         protected void Fetch(int page)
         {
             if (page > 0 && !m_tables.ContainsKey(page))
-                Folder.TryFetchPage(page);
+                Folder.BeginFetchPage(page);
         }
 
         protected NodeTable Load(int page)

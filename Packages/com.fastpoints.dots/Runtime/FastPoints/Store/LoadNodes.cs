@@ -195,7 +195,7 @@ namespace FastPoints.Store
                     for (int p = 0; p < planes.Count; p++)
                     {
                         int average = isRefined ? -1 : folder.Layout.AveragePlaneOf(planes[p]);
-                        var range = table.Planes[node.PlaneNode * table.PlaneCount + (average >= 0 ? average : planes[p])];
+                        var range = table.PlaneRanges[node.PlaneNode * table.PlaneCount + (average >= 0 ? average : planes[p])];
                         ranges[i * planes.Count + p] = range;
                         begins[i] = Math.Min(begins[i], range.OffsetBytes);
                         ends[i] = Math.Max(ends[i], range.OffsetBytes + range.LengthBytes);

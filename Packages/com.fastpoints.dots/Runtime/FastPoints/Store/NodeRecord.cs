@@ -60,7 +60,7 @@ namespace FastPoints.Store
 
         /// <summary>Nodes of one container with the same number were sampled together and keep their distance from each other.
         /// More than 0 only in upgraded clouds.</summary>
-        [FieldOffset(92)] public int SampledWith;
+        [FieldOffset(92)] public int SamplingGroup;
 
         public GridCube Cube => new GridCube(Corner, SideLog2);
 
@@ -123,9 +123,8 @@ namespace FastPoints.Store
         /// <summary>The node of this page that is the parent of that page's parentless nodes.</summary>
         [FieldOffset(28)] public int AttachNode;
 
-        /// <summary>With those of all pages below it.</summary>
-        [FieldOffset(32)] public long PointCount;
-        [FieldOffset(40)] public long NodeCount;
+        [FieldOffset(32)] public long SubtreePointCount;
+        [FieldOffset(40)] public long SubtreeNodeCount;
 
         [FieldOffset(48)] public long OffsetBytes;
         [FieldOffset(56)] public int LengthBytes;

@@ -27,7 +27,7 @@ namespace FastPoints.Store
             Part<NodeRecord>(m_view.Header.NodesOffset, (long)m_view.NodeCount * NodeRecord.SizeBytes);
 
         /// <summary>By node times PlaneCount, plus plane. Those of an inlined leaf are empty: its parent's apply.</summary>
-        public NativeArray<PlaneRange> Planes => m_planes;
+        public NativeArray<PlaneRange> PlaneRanges => m_planes;
 
         internal NativeArray<PageLink> Links =>
             Part<PageLink>(m_view.Header.LinksOffset, (long)m_view.Header.LinkCount * PageLink.SizeBytes);

@@ -32,24 +32,25 @@ namespace FastPoints.Store
         public int ColumnCount;
 
         /// <summary>Bit c: column c holds 64-bit values.</summary>
-        public int WideColumns;
+        public int WideColumnMask;
 
-        public PlaneShape(int columnCount, int wideColumns) => (ColumnCount, WideColumns) = (columnCount, wideColumns);
+        public PlaneShape(int columnCount, int wideColumnMask) => (ColumnCount, WideColumnMask) = (columnCount, wideColumnMask);
 
         // Wide positions need 64 bits on each axis.
         internal static PlaneShape OfPositions(bool areWide) => new PlaneShape(3, areWide ? 7 : 0);
 
         /// <summary>Words of one block's descriptor.</summary>
-        public int DescriptorWords => 2 + ColumnCount + (WideColumns & 1) + (WideColumns >> 1 & 1) + (WideColumns >> 2 & 1);
+        public int DescriptorWords =>
+            2 + ColumnCount + (WideColumnMask & 1) + (WideColumnMask >> 1 & 1) + (WideColumnMask >> 2 & 1);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public bool IsWide(int column) => (WideColumns >> column & 1) != 0;
+        public bool IsWide(int column) => (WideColumnMask >> column & 1) != 0;
 
         /// <summary>The word of a descriptor at which a column's minimum begins.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public int MinimumWord(int column)
         {
-            int below = WideColumns & ((1 << column) - 1);
+            int below = WideColumnMask & ((1 << column) - 1);
             return 2 + column + (below & 1) + (below >> 1 & 1);
         }
 

@@ -122,7 +122,8 @@ namespace FastPoints.Store
         // A page has fewer points and nodes than the one above it: no circle of links is followed for ever.
         bool IsLinkRight(in PageLink link, int node) => link.AttachNode == node && link.SideLog2 >= 0 &&
             link.SideLog2 <= GridCube.MaxSideLog2 && Link.Cube.Contains(link.Cube) && IsOfOctree(link.Cube) &&
-            link.PointCount > 0 && link.PointCount < Link.PointCount && link.NodeCount > 0 && link.NodeCount < Link.NodeCount &&
+            link.SubtreePointCount > 0 && link.SubtreePointCount < Link.SubtreePointCount &&
+            link.SubtreeNodeCount > 0 && link.SubtreeNodeCount < Link.SubtreeNodeCount &&
             link.LengthBytes >= PageHeader.SizeBytes && link.LengthBytes <= StoreFormat.MaxPageBytesToRead &&
             link.Container >= -1 && link.Container < m_header.ContainerCount &&
             link.OffsetBytes >= FileHeader.SizeBytes && link.OffsetBytes <= EndFor(link) - link.LengthBytes;
@@ -196,16 +197,17 @@ namespace FastPoints.Store
             {
                 var link = Page.Links[l];
                 // Claims of up to 2^63 each: no sum of them may overflow.
-                if (link.PointCount > Link.PointCount - points)
-                    return new TableProblem(TableFault.PointSum, 0, Link.PointCount, points);
-                if (link.NodeCount > Link.NodeCount - nodes)
-                    return new TableProblem(TableFault.NodeSum, 0, Link.NodeCount, nodes);
-                points += link.PointCount;
-                nodes += link.NodeCount;
+                if (link.SubtreePointCount > Link.SubtreePointCount - points)
+                    return new TableProblem(TableFault.PointSum, 0, Link.SubtreePointCount, points);
+                if (link.SubtreeNodeCount > Link.SubtreeNodeCount - nodes)
+                    return new TableProblem(TableFault.NodeSum, 0, Link.SubtreeNodeCount, nodes);
+                points += link.SubtreePointCount;
+                nodes += link.SubtreeNodeCount;
             }
-            if (points != Link.PointCount)
-                return new TableProblem(TableFault.PointSum, 0, Link.PointCount, points);
-            return nodes == Link.NodeCount ? default : new TableProblem(TableFault.NodeSum, 0, Link.NodeCount, nodes);
+            if (points != Link.SubtreePointCount)
+                return new TableProblem(TableFault.PointSum, 0, Link.SubtreePointCount, points);
+            return nodes == Link.SubtreeNodeCount ? default
+                : new TableProblem(TableFault.NodeSum, 0, Link.SubtreeNodeCount, nodes);
         }
     }
 

@@ -71,7 +71,7 @@ namespace FastPoints.Streaming
 
         internal override bool Transcodes(int page, int node) => m_edited != null && m_edited.Has(page, node);
 
-        public override NodeTranscoder RentTranscoder(int points)
+        public override NodeTranscoder TryRentTranscoder(int points)
         {
             if (m_idle.Count > 0)
                 return m_idle.Pop();
@@ -114,7 +114,7 @@ namespace FastPoints.Streaming
 
         internal override bool KeepsFilesOpen => !m_folder.IsUnfinished;
 
-        public override string PathOf(int page) => m_folder.PathOf(page);
+        public override string PlanesPathOf(int page) => m_folder.PlanesPathOf(page);
 
         internal override bool IsComputed(int plane) => m_folder.Layout.Planes[m_planes[plane]].IsComputed;
 
@@ -138,12 +138,12 @@ namespace FastPoints.Streaming
                 Array.Clear(m_checked[page], 0, m_checked[page].Length);
             m_folder.DropTail();
             RemoteOfTable(page)?.DropCached();
-            RemoteOf(page)?.DropCached();
+            PlanesRemoteOf(page)?.DropCached();
             RemoteOfComputed(page)?.DropCached();
             MarkStale();
         }
 
-        internal override RemoteFile RemoteOf(int page) => m_folder.RemoteOf(page);
+        internal override RemoteFile PlanesRemoteOf(int page) => m_folder.PlanesRemoteOf(page);
 
         internal override RemoteFile RemoteOfTable(int page) => m_folder.RemoteOfTable(page);
 
@@ -204,8 +204,8 @@ namespace FastPoints.Streaming
                 built.Nodes[n].FirstPage += m_folder.FirstBelow(page);
             while (m_checked.Count < PageCount)
                 m_checked.Add(null);
-            if (m_folder.Checked != null && built.NodeCount > 0)
-                m_checked[page] ??= m_folder.Checked.BitsOf(m_folder.LinkOf(page), PathOf(page),
+            if (m_folder.VerifiedPlanes != null && built.NodeCount > 0)
+                m_checked[page] ??= m_folder.VerifiedPlanes.BitsOf(m_folder.LinkOf(page), PlanesPathOf(page),
                     (long)built.NodeCount * m_shapes.Length);
         }
 

@@ -50,7 +50,7 @@ namespace FastPoints.Streaming
         internal virtual bool KeepsFilesOpen => false;
 
         /// <summary>The file that holds the planes of a page's nodes.</summary>
-        public abstract string PathOf(int page);
+        public abstract string PlanesPathOf(int page);
 
         // Whether a streamed plane was computed later: it lies in another file.
         internal virtual bool IsComputed(int plane) => false;
@@ -80,7 +80,7 @@ namespace FastPoints.Streaming
         internal virtual void Invalidate(int page) { }
 
         // The file of the planes of a page's nodes if it is on a web server, or null; and that of the page itself.
-        internal virtual RemoteFile RemoteOf(int page) => null;
+        internal virtual RemoteFile PlanesRemoteOf(int page) => null;
 
         internal virtual RemoteFile RemoteOfTable(int page) => null;
         internal virtual double RoundTrip => 0; // Seconds until a web server's answer begins; 0 for files.
@@ -107,7 +107,7 @@ namespace FastPoints.Streaming
         public virtual JobHandle Reading => default;
 
         /// <summary>For sources that transcode: an idle transcoder for this many points. Null while enough are busy.</summary>
-        public virtual NodeTranscoder RentTranscoder(int points) => null;
+        public virtual NodeTranscoder TryRentTranscoder(int points) => null;
 
         public virtual void ReturnTranscoder(NodeTranscoder transcoder) { }
 

@@ -43,14 +43,14 @@ namespace FastPoints.Streaming
         /// <summary>What to draw after the last frame: parents before children.</summary>
         public NativeList<DrawnNode> Drawn { get; } = new NativeList<DrawnNode>(1024, Allocator.Persistent);
 
-        /// <summary>By selected node: its index in Drawn, or NotDrawn, or NotShown.</summary>
+        /// <summary>By selected node: its index in Drawn, or NotDrawn, or NotLoaded.</summary>
         public NativeList<int> DrawnOfSelected { get; } = new NativeList<int>(1024, Allocator.Persistent);
 
         /// <summary>The node is a hole or hidden, but what is below it can be drawn.</summary>
         public const int NotDrawn = -1;
 
         /// <summary>The node, or one above it, is not loaded yet.</summary>
-        public const int NotShown = -2;
+        public const int NotLoaded = -2;
 
         /// <summary>Seconds from the last frame to this one, as the caller counts them: nodes appear and leave at this
         /// pace.</summary>

@@ -83,7 +83,7 @@ namespace FastPoints.Tests.Build
                 new ConvertSettings { PointsPerChunk = 100000, Sampler = sampler });
             Assert.That(made.Manifest.ChunkCount, Is.GreaterThan(1));
             using var folder = CloudFolder.Open(Target());
-            foreach (var table in folder.LoadAll())
+            foreach (var table in folder.EachTable())
                 foreach (var node in table.Nodes)
                     Assert.That(node.PointCount, Is.InRange(1, StoreFormat.MaxPointsPerNode));
         }

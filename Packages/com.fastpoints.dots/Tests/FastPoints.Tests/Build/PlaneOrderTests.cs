@@ -38,8 +38,8 @@ namespace FastPoints.Tests.Build
         {
             using var folder = CloudFolder.Open(Convert(sampler, hasColor));
             int page = 0;
-            foreach (var table in folder.LoadAll())
-                AssertOrder(table, folder.Layout, folder.ContainerOf(page++).FileBytes);
+            foreach (var table in folder.EachTable())
+                AssertOrder(table, folder.Layout, folder.PlanesContainerOf(page++).FileBytes);
             Assert.That(page, Is.GreaterThan(1));
         }
 
@@ -54,11 +54,11 @@ namespace FastPoints.Tests.Build
                 {
                     for (int p = 0; p < table.PlaneCount; p++)
                     {
-                        var range = table.Planes[n * table.PlaneCount + p];
+                        var range = table.PlaneRanges[n * table.PlaneCount + p];
                         if (table.Nodes[n].PlaneNode != n || isInFront != (p == StoreLayout.PositionPlane || p == color))
                             continue;
                         int averaged = layout.Planes[p].AverageOf;
-                        if (averaged >= 0 && range.Equals(table.Planes[n * table.PlaneCount + averaged]))
+                        if (averaged >= 0 && range.Equals(table.PlaneRanges[n * table.PlaneCount + averaged]))
                             continue;
                         Assert.That(range.OffsetBytes, Is.EqualTo(end), "node " + n + ", plane " + layout.Planes[p].Name);
                         end += range.LengthBytes;
@@ -76,7 +76,7 @@ namespace FastPoints.Tests.Build
             for (int block = 0; block < reader.BlockCount; block++)
                 reader.ListPieces(new BlockRange(block, 0, reader.PointsInBlock(block)), pieces);
             using var folder = CloudFolder.Open(reader.Info.Path);
-            _ = folder.LoadAll().Count();
+            _ = folder.EachTable().Count();
             long stored = folder.Files().Sum(f => f.Bytes) - folder.Manifest.HierarchyBytes;
             Assert.That(pieces.Sum(p => p.LengthBytes), Is.InRange(stored * 9 / 10, stored * 11 / 10));
         }

@@ -111,7 +111,7 @@ namespace FastPoints.Tests.Build
             Assert.That(math.all(origin == 0));
             Assert.That(CountIn(root), Is.EqualTo(positions.Length));
             int page = 0, largest = 0;
-            var chunks = folder.LoadAll().Select(_ => folder.ContainerOf(page++))
+            var chunks = folder.EachTable().Select(_ => folder.PlanesContainerOf(page++))
                 .Where(c => c.Kind == ContainerKind.Chunk).ToList();
             Assert.That(chunks.Count, Is.GreaterThan(30));
             foreach (var chunk in chunks)

@@ -19,7 +19,7 @@ namespace FastPoints.Tests.E57
         static PointCloudException Failure(byte[] file)
         {
             var failure = Assert.Throws<PointCloudException>(() => FileContents.OfE57(file));
-            Assert.That(failure.IsBadInput, Is.True, failure.Message);
+            Assert.That(failure.IsInputAtFault, Is.True, failure.Message);
             Assert.That(failure.Message.IndexOf('\n'), Is.EqualTo(-1));
             return failure;
         }

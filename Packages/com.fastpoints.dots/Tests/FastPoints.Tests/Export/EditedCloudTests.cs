@@ -278,7 +278,7 @@ namespace FastPoints.Tests.Export
 
         // The pyramid's sides are planes through the eye and two corners.
         [TestCase(1e3), TestCase(4e5), TestCase(1e9)]
-        public void DeleteSeen_ThroughAPolygon_IsWhatLiesBetweenItsPlanes(double distance)
+        public void DeleteInLasso_ThroughAPolygon_IsWhatLiesBetweenItsPlanes(double distance)
         {
             ConvertSeeded();
             using var stored = ConvertedReader.Open(Cloud);
@@ -296,7 +296,7 @@ namespace FastPoints.Tests.Export
             double Inside(Point point) => Enumerable.Range(0, 5).Min(i => math.dot(manifest.Grid.ToGeo(point.At) - eye,
                 math.normalize(math.cross(corners[i] - eye, corners[(i + 1) % 5] - eye))));
             long deleted = 0;
-            JobCoroutine.RunToEnd(PointCloudEdits.DeleteSeen(Cloud, eye, corners, count => deleted = count));
+            JobCoroutine.RunToEnd(PointCloudEdits.DeleteInLasso(Cloud, eye, corners, count => deleted = count));
             using var edited = ConvertedReader.OpenEdited(Cloud);
             var left = new HashSet<string>(Sorted(Read(edited)));
             Assert.That(deleted, Is.EqualTo(points.Count - left.Count).And.InRange(200, points.Count - 200));

@@ -37,8 +37,8 @@ namespace FastPoints.Tests.Laz
             foreach (int count in bytes)
                 end += count;
             using var file = new FileStream(FilePath, FileMode.Create, FileAccess.Write);
-            file.Write(head, 0, (int)offset - LazChunkTable.TableOffsetBytes);
-            file.Write(BitConverter.GetBytes(end), 0, LazChunkTable.TableOffsetBytes);
+            file.Write(head, 0, (int)offset - LazChunkTable.TableOffsetSize);
+            file.Write(BitConverter.GetBytes(end), 0, LazChunkTable.TableOffsetSize);
             file.Position = end;
             file.Write(table, 0, table.Length);
             return offset;

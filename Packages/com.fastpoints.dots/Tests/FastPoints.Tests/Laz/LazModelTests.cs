@@ -34,11 +34,11 @@ namespace FastPoints.Tests.Laz
                     uint low = 0, size = uint.MaxValue;
                     foreach (int symbol in wanted)
                         SymbolModel.Encode(place, capacity, (uint)symbol, ref low, ref size, ref next);
-                    RangeCoder.End(low, size, ref next);
+                    RangeCoder.EndEncoding(low, size, ref next);
                     byte* end = next;
                     SymbolModel.Initialize((SymbolModel*)place, symbols, capacity);
                     next = input;
-                    RangeCoder.Start(out uint value, out uint length, ref next);
+                    RangeCoder.StartDecoding(out uint value, out uint length, ref next);
                     for (int i = 0; i < wanted.Length; i++)
                         Assert.That(SymbolModel.Decode(place, capacity, ref value, ref length, ref next), Is.EqualTo(wanted[i]));
                     Assert.That(next - input, Is.EqualTo(end - input), "a decoder takes all that the encoder wrote");
@@ -72,11 +72,11 @@ namespace FastPoints.Tests.Laz
                     for (int i = 0; i < wanted.Length; i++)
                         IntegerModel.Encode(place, bits, Contexts, i % Contexts, unchecked(wanted[i] - predictions[i]), out _,
                             ref low, ref size, ref next);
-                    RangeCoder.End(low, size, ref next);
+                    RangeCoder.EndEncoding(low, size, ref next);
                     byte* end = next;
                     IntegerModel.Initialize(place, bits, Contexts);
                     next = input;
-                    RangeCoder.Start(out uint value, out uint length, ref next);
+                    RangeCoder.StartDecoding(out uint value, out uint length, ref next);
                     for (int i = 0; i < wanted.Length; i++)
                     {
                         int difference = IntegerModel.Decode(place, bits, Contexts, i % Contexts, ref value, ref length,
@@ -101,9 +101,9 @@ namespace FastPoints.Tests.Laz
                     wanted[i] = (uint)(((long)random.Next() << 16 ^ random.Next()) & ((1L << bits) - 1));
                     RangeCoder.PutBits(bits, wanted[i], ref low, ref size, ref next);
                 }
-                RangeCoder.End(low, size, ref next);
+                RangeCoder.EndEncoding(low, size, ref next);
                 next = input;
-                RangeCoder.Start(out uint value, out uint length, ref next);
+                RangeCoder.StartDecoding(out uint value, out uint length, ref next);
                 for (int i = 0; i < wanted.Length; i++)
                     Assert.That(RangeCoder.Bits(bits, ref value, ref length, ref next), Is.EqualTo(wanted[i]));
             }
@@ -126,7 +126,7 @@ namespace FastPoints.Tests.Laz
                         byte* place = (byte*)state.GetUnsafePtr();
                         SymbolModel.Initialize(place, symbols);
                         byte* next = input;
-                        RangeCoder.Start(out uint value, out uint length, ref next);
+                        RangeCoder.StartDecoding(out uint value, out uint length, ref next);
                         bool isValid = true;
                         for (int i = 0; i < 100000 && next < input + 4000; i++)
                             isValid &= SymbolModel.Decode(place, symbols, ref value, ref length, ref next) < symbols

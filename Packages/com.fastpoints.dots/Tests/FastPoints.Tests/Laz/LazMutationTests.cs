@@ -40,7 +40,7 @@ namespace FastPoints.Tests.Laz
         static byte[] FirstVersionChunk(int format, int bytes)
         {
             var file = LazFileReading.FirstVersion("format" + format);
-            int chunk = RecordFields.Int32(file, LasHeader.At.PointsOffset) + LazChunkTable.TableOffsetBytes;
+            int chunk = RecordFields.Int32(file, LasHeader.At.PointsOffset) + LazChunkTable.TableOffsetSize;
             return file.AsSpan(chunk, bytes).ToArray();
         }
 

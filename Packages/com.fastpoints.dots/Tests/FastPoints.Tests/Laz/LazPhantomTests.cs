@@ -146,7 +146,7 @@ namespace FastPoints.Tests.Laz
                 var bytes = writer.Write(records);
                 long tableAt = writer.Chunks[1].Offset + writer.Chunks[1].Bytes;
                 // A table that is where nobody says, or that was never written.
-                BitConverter.GetBytes(0L).CopyTo(bytes, writer.Chunks[0].Offset - LazChunkTable.TableOffsetBytes);
+                BitConverter.GetBytes(0L).CopyTo(bytes, writer.Chunks[0].Offset - LazChunkTable.TableOffsetSize);
                 if (areZeros)
                 {
                     Array.Resize(ref bytes, (int)tableAt);

@@ -146,7 +146,7 @@ namespace FastPoints.Tests.Laz
 
         static (long Offset, long Bytes)[] Layers(byte[] file)
         {
-            int chunk = BitConverter.ToInt32(file, LasHeader.At.PointsOffset) + LazChunkTable.TableOffsetBytes;
+            int chunk = BitConverter.ToInt32(file, LasHeader.At.PointsOffset) + LazChunkTable.TableOffsetSize;
             long at = chunk + LazLayer.ChunkHeaderBytes(RecordBytes, 10);
             var layers = new (long, long)[10];
             for (int i = 0; i < 10; i++)

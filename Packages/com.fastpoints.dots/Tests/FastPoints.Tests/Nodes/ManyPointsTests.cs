@@ -44,7 +44,7 @@ namespace FastPoints.Tests.Nodes
                         points[map.Finder.ChunkOf(chunkOfCell, SourceToGrid.ToGrid(axes.X, stored.x),
                             SourceToGrid.ToGrid(axes.Y, stored.y), SourceToGrid.ToGrid(axes.Z, stored.z))] += weight;
                     Assert.That(points.Sum(), Is.EqualTo((double)Points).Within(1e-3 * Points));
-                    Assert.That(points[map.Outside], Is.Zero);
+                    Assert.That(points[map.OutsideChunk], Is.Zero);
                     // A range of the sample is in one cell and stands for 20 million points: no estimate is finer.
                     Assert.That(points.Max(), Is.LessThan(4.0 * plan.MaxPointsPerPlannedCube));
                     // Each has a page, and there is room for more.

@@ -35,7 +35,7 @@ namespace FastPoints.Tests.Nodes
             {
                 Columns = new NativeArray<StoredColumn>(0, Allocator.Persistent),
                 AverageOfPoint = new NativeArray<int>(0, Allocator.Persistent),
-                Averages = new NativeList<PointAverage>(0, Allocator.Persistent),
+                Sums = new NativeList<AverageSums>(0, Allocator.Persistent),
             };
             var record = (byte*)records.GetUnsafePtr();
             for (int i = 0; i < count; i++)
@@ -68,7 +68,7 @@ namespace FastPoints.Tests.Nodes
             result.Nodes = nodes.AsArray().ToArray();
             averaged.Columns.Dispose();
             averaged.AverageOfPoint.Dispose();
-            averaged.Averages.Dispose();
+            averaged.Sums.Dispose();
             return result;
         }
 

@@ -175,7 +175,7 @@ namespace FastPoints.Tests.Picture
         public void KeyOf_StyleOfAPoint_ComesBack(int litLevel, int radius)
         {
             ulong key = PointDrawing.KeyOf(2, (uint)radius, litLevel, 0xFF123456);
-            Assert.That((PointDrawing.LitLevelOf(key), PointDrawing.RadiusOf(key), (uint)key & 0xFFFFFF),
+            Assert.That((PointDrawing.LitLevelOf(key), PointDrawing.LightingRadiusOf(key), (uint)key & 0xFFFFFF),
                 Is.EqualTo((litLevel, radius, 0x123456u)));
         }
 

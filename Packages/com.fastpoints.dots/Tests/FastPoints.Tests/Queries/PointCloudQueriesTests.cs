@@ -309,7 +309,7 @@ namespace FastPoints.Tests.Queries
             FolderReleases.Release(cloud.Path);
             while (!FolderReleases.HasReleased)
                 stream.Frame();
-            string file = source.Source.PathOf(0);
+            string file = source.Source.PlanesPathOf(0);
             byte[] bytes = File.ReadAllBytes(file);
             bytes[source.RangeOf(0, 0, 0).OffsetBytes + 40] ^= 1;
             File.WriteAllBytes(file, bytes);

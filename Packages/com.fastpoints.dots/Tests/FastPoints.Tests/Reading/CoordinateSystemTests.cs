@@ -55,7 +55,7 @@ namespace FastPoints.Tests.Reading
         [TestCase("m", 1), TestCase("us-ft", UsFoot), TestCase("0.001", 0.001), TestCase("1200/3937", UsFoot)]
         [TestCase("cubit", 0), TestCase("-1", 0), TestCase("0", 0), TestCase("1/0", 0), TestCase("", 0), TestCase("nan", 0)]
         public void Unit_ByNameOrNumber_GivesMetres(string text, double metres) =>
-            Assert.That(CrsText.UnitOf(text), Is.EqualTo(metres));
+            Assert.That(CrsText.MetresOfUnit(text), Is.EqualTo(metres));
 
         [Test]
         public void Open_TextWithLatAndLon_IsInDegreesWhateverTheirOrder()

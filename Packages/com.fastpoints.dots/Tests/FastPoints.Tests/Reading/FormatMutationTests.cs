@@ -155,7 +155,7 @@ namespace FastPoints.Tests.Reading
             catch (PointCloudException failure)
             {
                 Assert.That(failure.Message, Does.Not.Contain("\n"), detail);
-                bool isInput = failure.IsBadInput || failure.Code == FailureCode.ReadFailed ||
+                bool isInput = failure.IsInputAtFault || failure.Code == FailureCode.ReadFailed ||
                     failure.Code == FailureCode.NotFound;
                 Assert.That(isInput, Is.True, detail + ": " + failure.Message);
                 return false;

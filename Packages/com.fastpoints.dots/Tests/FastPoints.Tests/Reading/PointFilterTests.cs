@@ -4,6 +4,7 @@ using System.Diagnostics;
 using System.Globalization;
 using System.Linq;
 using FastPoints.Reading;
+using FastPoints.Streaming;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Mathematics;
@@ -184,6 +185,17 @@ namespace FastPoints.Tests.Reading
                 Enumerable.Range(0, random.Next(1, 4)).Select(__ => Ring()).ToArray()).ToArray();
             using (var batch = Points(20000, _ => new double3(random.Next(-1, size + 1), random.Next(-1, size + 1), 0)))
                 IsFiltered(new PointFilter { Polygons = Of(polygons) }, batch, (p, _) => IsIn(polygons, p));
+        }
+
+        [Test]
+        public void Hash_OtherClips_IsAnother()
+        {
+            static ulong HashOf(params LocalClip[] clips) => new PointFilter { Clips = clips }.Hash;
+            var keeps = new LocalClip { ToBox = double3x3.identity };
+            var cuts = new LocalClip { ToBox = double3x3.identity, Cuts = true };
+            var moved = new LocalClip { ToBox = double3x3.identity, Offset = new double3(1, 0, 0) };
+            Assert.That(new[] { HashOf(), HashOf(keeps), HashOf(cuts), HashOf(moved), HashOf(keeps, cuts) }, Is.Unique);
+            Assert.That(HashOf(keeps, cuts), Is.EqualTo(HashOf(keeps, cuts)));
         }
 
         [Test]

@@ -13,7 +13,7 @@ namespace FastPoints.Tests.Sampling
         {
             using var reader = new VirtualReader(100_000_000, 10, false);
             Assert.That(reader.BlockCount, Is.EqualTo(10_000_000));
-            using var sampler = new WaveSampler(reader, 200_000, 1);
+            using var sampler = new PreviewWaveSampler(reader, 200_000, 1);
             var waves = new List<PreviewSample.Wave>();
             sampler.WaveReady += waves.Add;
             JobCoroutine.RunToEnd(sampler.Run(0, new StageProgress()));
@@ -30,11 +30,11 @@ namespace FastPoints.Tests.Sampling
         public void Waves_OfMoreBlocksThanStates_ComeBeforeAFifthWhereThatIsLong()
         {
             using var reader = new VirtualReader(60_000_000, 100_000, false);
-            using var first = new WaveSampler(reader, 20_000, 1);
+            using var first = new PreviewWaveSampler(reader, 20_000, 1);
             JobCoroutine.RunToEnd(first.Run(0, new StageProgress()));
             using var refining = new RefiningSampler(reader, 100_000, 1, first.Sample, first.Sample.Bounds);
             var shares = new List<double>();
-            refining.WaveReady += wave => shares.Add((refining.Sample.Count - refining.Sample.Placeholders) / 100_000.0);
+            refining.WaveReady += wave => shares.Add((refining.Sample.Count - refining.Sample.PlaceholderCount) / 100_000.0);
             var coroutine = new JobCoroutine(refining.Run(0, new StageProgress()));
             while (shares.Count < 2 && !coroutine.Tick(10))
                 JobHandle.ScheduleBatchedJobs();

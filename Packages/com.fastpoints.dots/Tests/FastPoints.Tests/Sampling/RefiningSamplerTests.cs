@@ -46,7 +46,7 @@ namespace FastPoints.Tests.Sampling
             {
                 Assert.That(wave.Points, Is.EqualTo(sampler.Sample.Count));
                 waves.Add(Positions(sampler.Sample));
-                placeholders?.Add(sampler.Sample.Placeholders);
+                placeholders?.Add(sampler.Sample.PlaceholderCount);
             };
             JobCoroutine.RunToEnd(sampler.Run(slots, new StageProgress()));
             return waves;
@@ -65,7 +65,7 @@ namespace FastPoints.Tests.Sampling
             Assert.That(Positions(sample), Is.EqualTo(Positions(expected)));
             Assert.That(sample.Bounds, Is.EqualTo(expected.Bounds));
             Assert.That(sample.IsFullScan, Is.True);
-            Assert.That(sample.Placeholders, Is.Zero);
+            Assert.That(sample.PlaceholderCount, Is.Zero);
             Assert.That(sample.PointsInSource, Is.EqualTo(160_000));
             Assert.That(sampler.Waves, Has.Count.EqualTo(3));
         }
@@ -107,7 +107,7 @@ namespace FastPoints.Tests.Sampling
         public void Waves_OfBlocksTooManyForStates_ShowTheFirstSampleWhereNoBlockIsRead()
         {
             using var reader = Square(500);
-            using var first = new WaveSampler(reader, 8000, 1);
+            using var first = new PreviewWaveSampler(reader, 8000, 1);
             JobCoroutine.RunToEnd(first.Run(2, null));
             using var before = first.TakeSample();
             var places = new HashSet<(int, int)>(Positions(before).Select(p => (p.Item1 / 10, p.Item2 / 10)));

@@ -147,7 +147,7 @@ namespace FastPoints.Tests.Store
             Add(1);
             var error = Assert.Throws<PointCloudException>(() => EditJournal.Read(Cloud, Id + 1));
             Assert.That(error.Message, Does.StartWith(PathOfEdits).And.Contains("another cloud").And.Contains("1235"));
-            Assert.That(error.IsBadInput, Is.True);
+            Assert.That(error.IsInputAtFault, Is.True);
         }
 
         [Test]
@@ -221,7 +221,7 @@ namespace FastPoints.Tests.Store
             Assert.That(EditOperation.FromJson(text, "a").ToJson(), Is.EqualTo(operation.ToJson()));
             Assert.That(at, Is.GreaterThanOrEqualTo(0), text);
             text = text.Remove(at, part.Length).Insert(at, other);
-            Assert.That(Assert.Throws<PointCloudException>(() => EditOperation.FromJson(text, "a")).IsBadInput, Is.True);
+            Assert.That(Assert.Throws<PointCloudException>(() => EditOperation.FromJson(text, "a")).IsInputAtFault, Is.True);
         }
 
         [Test]

@@ -37,9 +37,9 @@ namespace FastPoints.Tests.Store
             var manifest = StoredHierarchy.Write(Folder.Path, root, m_planeCount);
             using var folder = CloudFolder.Open(Folder.Path, CloudManifest.FromJson(manifest.ToJson(), "cloud.json"));
             int page = 0;
-            foreach (var table in folder.LoadAll())
+            foreach (var table in folder.EachTable())
             {
-                var container = table.Nodes.Length > 0 ? folder.ContainerOf(page) : default;
+                var container = table.Nodes.Length > 0 ? folder.PlanesContainerOf(page) : default;
                 m_pages.Add((folder.LinkOf(page++), table.Nodes.ToArray(), table.Links.ToArray(), container));
             }
             var got = m_pages.SelectMany(p => p.Nodes.Select(n => NameOf(p.Container, n))).OrderBy(c => c);

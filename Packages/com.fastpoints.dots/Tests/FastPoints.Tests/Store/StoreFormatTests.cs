@@ -43,7 +43,7 @@ namespace FastPoints.Tests.Store
             Assert.That(layout.Planes[1].Name, Is.EqualTo(StoreLayout.ColorName));
             Assert.That(layout.Planes[1].ColumnCount, Is.EqualTo(3));
             Assert.That(layout.Columns[0].RecordOffset, Is.EqualTo(2));
-            Assert.That(layout.Planes[3].Shape.WideColumns, Is.EqualTo(1));
+            Assert.That(layout.Planes[3].Shape.WideColumnMask, Is.EqualTo(1));
             Assert.That(layout.AttributeBytes, Is.EqualTo(16));
         }
 

@@ -142,8 +142,8 @@ namespace FastPoints.Tests.Store
                 WritePiece);
             JobCoroutine.RunToEnd(writer.Write(root, link =>
             {
-                manifest.Points = link.PointCount;
-                manifest.NodeCount = link.NodeCount;
+                manifest.Points = link.SubtreePointCount;
+                manifest.NodeCount = link.SubtreeNodeCount;
                 manifest.RootOffset = link.OffsetBytes;
                 manifest.RootBytes = link.LengthBytes;
                 manifest.RootHash = link.Hash;

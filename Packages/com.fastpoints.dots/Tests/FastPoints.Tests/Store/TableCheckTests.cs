@@ -76,7 +76,7 @@ namespace FastPoints.Tests.Store
             using var folder = CloudFolder.Open(Folder.Path, m_manifest);
             m_pages.Add(new StoredPage { Link = folder.LinkOf(0) });
             int page = 0;
-            foreach (var table in folder.LoadAll())
+            foreach (var table in folder.EachTable())
             {
                 for (int l = 0; l < table.Links.Length; l++)
                     m_pages.Add(new StoredPage
@@ -118,8 +118,8 @@ namespace FastPoints.Tests.Store
                 p.Link(1).Container = 0;
                 p.Link(1).OffsetBytes = p.Container.FileBytes;
             }, "end of container");
-            yield return Fault(TableFault.Link, 0, p => p.Link(1).PointCount = 1L << 62, "points");
-            yield return Fault(TableFault.Link, 0, p => p.Link(1).NodeCount = long.MaxValue, "nodes");
+            yield return Fault(TableFault.Link, 0, p => p.Link(1).SubtreePointCount = 1L << 62, "points");
+            yield return Fault(TableFault.Link, 0, p => p.Link(1).SubtreeNodeCount = long.MaxValue, "nodes");
             yield return Fault(TableFault.Link, 0, p => p.Link(1).SideLog2 = 41, "cube");
             yield return Fault(TableFault.Link, 0, p => p.Link(1).Corner.X++, "cube not of octree");
             yield return Fault(TableFault.Link, 0, p =>
@@ -130,10 +130,10 @@ namespace FastPoints.Tests.Store
             yield return Fault(TableFault.Links, 0, p => p.Node(8).LinkCount = 3);
             yield return Fault(TableFault.Links, 0, p => p.Node(8).FirstLink = 1, "first");
             yield return Fault(TableFault.PointSum, 1, p => p.Header.PointCount++, "own");
-            yield return Fault(TableFault.PointSum, 0, p => p.Link(0).PointCount++, "too many");
-            yield return Fault(TableFault.PointSum, 0, p => p.Link(0).PointCount--, "too few");
-            yield return Fault(TableFault.NodeSum, 0, p => p.Link(0).NodeCount++, "too many");
-            yield return Fault(TableFault.NodeSum, 0, p => p.Link(0).NodeCount--, "too few");
+            yield return Fault(TableFault.PointSum, 0, p => p.Link(0).SubtreePointCount++, "too many");
+            yield return Fault(TableFault.PointSum, 0, p => p.Link(0).SubtreePointCount--, "too few");
+            yield return Fault(TableFault.NodeSum, 0, p => p.Link(0).SubtreeNodeCount++, "too many");
+            yield return Fault(TableFault.NodeSum, 0, p => p.Link(0).SubtreeNodeCount--, "too few");
             yield return Fault(TableFault.Side, 1, p => p.Node(2).SideLog2 = 63);
             yield return Fault(TableFault.Side, 1, p => p.Node(2).CellLog2 = 62, "cells");
             yield return Fault(TableFault.OutsideRegion, 1, p => p.Node(2).Corner.X = -1);
@@ -240,9 +240,9 @@ namespace FastPoints.Tests.Store
         {
             Folder.Write(StoreFormat.ManifestName, m_manifest.ToJson());
             using var folder = CloudFolder.Open(Folder.Path);
-            var bits = folder.Checked.BitsOf(m_pages[0].Link, "", 100);
-            Assert.That(folder.Checked.BitsOf(m_pages[0].Link, "", 100), Is.SameAs(bits));
-            Assert.That(folder.Checked.BitsOf(m_pages[0].Link, "", 1000), Is.Null);
+            var bits = folder.VerifiedPlanes.BitsOf(m_pages[0].Link, "", 100);
+            Assert.That(folder.VerifiedPlanes.BitsOf(m_pages[0].Link, "", 100), Is.SameAs(bits));
+            Assert.That(folder.VerifiedPlanes.BitsOf(m_pages[0].Link, "", 1000), Is.Null);
         }
 
         void Mutate(ref Unity.Mathematics.Random random, int page)
@@ -295,7 +295,7 @@ namespace FastPoints.Tests.Store
             using var folder = CloudFolder.Open(Folder.Path, CloudManifest.FromJson(m_manifest.ToJson(), "cloud.json"));
             using var planes = new NativeArray<int>(new[] { 0, 1 }, Allocator.Temp);
             long pages = 0;
-            foreach (var table in folder.LoadAll())
+            foreach (var table in folder.EachTable())
             {
                 Assert.That(++pages, Is.LessThanOrEqualTo(folder.Manifest.NodeCount));
                 var built = new HierarchyPage();

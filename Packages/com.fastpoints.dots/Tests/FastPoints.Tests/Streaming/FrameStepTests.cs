@@ -75,7 +75,7 @@ namespace FastPoints.Tests.Streaming
             foreach (var drawn in m_stream.Drawn.AsArray())
             {
                 byte* at = ((MemoryNodePool)m_stream.Pool).AddressOf(drawn.Range);
-                byte[] file = File.ReadAllBytes(m_source.PathOf(drawn.Page));
+                byte[] file = File.ReadAllBytes(m_source.PlanesPathOf(drawn.Page));
                 for (int p = 0; p < m_source.Planes.Length; p++)
                 {
                     var range = m_stream.Clouds[0].RangeOf(drawn.Page, drawn.Node, p);

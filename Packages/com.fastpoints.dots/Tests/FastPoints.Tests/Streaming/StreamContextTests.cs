@@ -107,8 +107,8 @@ namespace FastPoints.Tests.Streaming
             string path;
             using (var folder = CloudFolder.Open(m_cloud.Path))
             {
-                path = folder.PathOf(0);
-                var range = folder.Root.Planes[0];
+                path = folder.PlanesPathOf(0);
+                var range = folder.Root.PlaneRanges[0];
                 byte[] bytes = File.ReadAllBytes(path);
                 bytes[range.OffsetBytes + range.LengthBytes / 2] ^= 1;
                 File.WriteAllBytes(path, bytes);
@@ -136,12 +136,12 @@ namespace FastPoints.Tests.Streaming
             string path;
             using (var folder = CloudFolder.Open(m_cloud.Path))
             {
-                path = folder.PathOf(0);
+                path = folder.PlanesPathOf(0);
                 var written = new DateTime(2026, 1, 2, 3, 4, 5, DateTimeKind.Utc);
                 File.SetLastWriteTimeUtc(path, written);
                 Assert.That(Show(), Is.Empty);
                 byte[] bytes = File.ReadAllBytes(path);
-                bytes[folder.Root.Planes[0].OffsetBytes + folder.Root.Planes[0].LengthBytes / 2] ^= 1;
+                bytes[folder.Root.PlaneRanges[0].OffsetBytes + folder.Root.PlaneRanges[0].LengthBytes / 2] ^= 1;
                 File.WriteAllBytes(path, bytes);
                 File.SetLastWriteTimeUtc(path, written);
                 Assert.That(Show(), Is.Empty, "not written to, by its time");
@@ -163,7 +163,7 @@ namespace FastPoints.Tests.Streaming
             m_cloud.Add(stream);
             StreamedTestCloud.Settle(stream, StreamedTestCloud.Overview());
             Assert.That(stream.Clouds[0].Source.IsVerified(0, 0, 0), Is.True);
-            string path = stream.Clouds[0].Source.PathOf(0);
+            string path = stream.Clouds[0].Source.PlanesPathOf(0);
             byte[] bytes = File.ReadAllBytes(path);
             bytes[stream.Clouds[0].RangeOf(0, 0, 0).OffsetBytes + 5] ^= 1;
             File.WriteAllBytes(path, bytes);

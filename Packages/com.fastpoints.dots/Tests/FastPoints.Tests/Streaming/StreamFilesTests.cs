@@ -135,10 +135,10 @@ namespace FastPoints.Tests.Streaming
             byte[] sound;
             using (var opened = CloudFolder.Open(folder))
             {
-                path = opened.PathOf(0);
+                path = opened.PlanesPathOf(0);
                 sound = File.ReadAllBytes(path);
                 byte[] damaged = (byte[])sound.Clone();
-                damaged[opened.Root.Planes[0].OffsetBytes + opened.Root.Planes[0].LengthBytes / 2] ^= 1;
+                damaged[opened.Root.PlaneRanges[0].OffsetBytes + opened.Root.PlaneRanges[0].LengthBytes / 2] ^= 1;
                 File.WriteAllBytes(path, damaged);
             }
             m_stream.Settings.MaxTries = 1000;

@@ -41,7 +41,7 @@ namespace FastPoints.Tests.Streaming
                 byte* at = ((MemoryNodePool)stream.Pool).AddressOf(drawn.Range);
                 for (int plane = 0; plane < 3; plane++)
                 {
-                    string path = plane == 2 ? source.PathOfComputed(drawn.Page) : source.PathOf(drawn.Page);
+                    string path = plane == 2 ? source.PathOfComputed(drawn.Page) : source.PlanesPathOf(drawn.Page);
                     var range = cloud.RangeOf(drawn.Page, drawn.Node, plane);
                     var stored = File.ReadAllBytes(path).AsSpan((int)range.OffsetBytes, (int)range.LengthBytes);
                     Assert.That(new Span<byte>(at, stored.Length).SequenceEqual(stored), path);
@@ -55,7 +55,7 @@ namespace FastPoints.Tests.Streaming
         {
             using var folder = CloudFolder.Open(m_cloud.Path);
             string path = folder.PathOfComputed(0);
-            var range = folder.Root.Planes[folder.Root.PlaneCount - 1];
+            var range = folder.Root.PlaneRanges[folder.Root.PlaneCount - 1];
             byte[] bytes = File.ReadAllBytes(path);
             bytes[range.OffsetBytes + range.LengthBytes / 2] ^= 1;
             File.WriteAllBytes(path, bytes);

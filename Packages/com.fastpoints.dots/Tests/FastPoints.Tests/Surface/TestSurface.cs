@@ -62,7 +62,7 @@ namespace FastPoints.Tests.Surface
         {
             var vertices = builder.Vertices;
             var numbers = new int[vertices.Length];
-            long cellSteps = (long)Grid.CellVoxels * SurfaceGrid.StepsPerVoxel;
+            long cellSteps = (long)Grid.CellEdgeVoxels * SurfaceGrid.StepsPerVoxel;
             for (int i = 0; i < numbers.Length; i++)
             {
                 var at = (cell.x * cellSteps + vertices[i].x, cell.y * cellSteps + vertices[i].y,

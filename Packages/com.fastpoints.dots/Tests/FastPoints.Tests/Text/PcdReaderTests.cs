@@ -153,7 +153,7 @@ namespace FastPoints.Tests.Text
                 "DATA ascii\n1 2 3\n4 5 6\n";
             string path = Write(Encoding.ASCII.GetBytes(text.Replace(sound, bad)));
             var failure = Assert.Throws<PointCloudException>(() => ReadPoints.Open(path).Dispose());
-            Assert.That(failure.IsBadInput, Is.True);
+            Assert.That(failure.IsInputAtFault, Is.True);
             Assert.That(failure.Message, Does.StartWith(path).And.Contain(detail));
         }
 
@@ -173,7 +173,7 @@ namespace FastPoints.Tests.Text
         {
             var text = Encoding.GetEncoding(28591);
             string path = Write(text.GetBytes(text.GetString(PcdTestFile.Make("binary_compressed", 3000)).Replace(sound, bad)));
-            Assert.That(Assert.Throws<PointCloudException>(() => ReadPoints.Open(path).Dispose()).IsBadInput, Is.True);
+            Assert.That(Assert.Throws<PointCloudException>(() => ReadPoints.Open(path).Dispose()).IsInputAtFault, Is.True);
         }
 
         [Test]

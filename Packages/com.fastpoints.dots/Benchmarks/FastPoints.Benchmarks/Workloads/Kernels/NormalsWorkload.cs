@@ -58,7 +58,7 @@ namespace FastPoints.Benchmarks
             {
                 Min = -2 * Radius,
                 Max = 2 * Radius,
-                Metres = 1,
+                StepMetres = 1,
                 Neighbours = m_neighbours,
             }, m_normals, m_slices));
             return new WorkloadResult { Points = m_batch.Count, Error = MedianDegrees(), ErrorUnit = "degrees" };

@@ -73,7 +73,7 @@ namespace FastPoints.Benchmarks
         public void ResetTimes()
         {
             using var earlier = new SliceTimes(Allocator.Persistent);
-            earlier.Add(FrameTimes);
+            earlier.TakeFrom(FrameTimes);
         }
 
         public WorkloadResult Result(long points, long bytes, string note) => new WorkloadResult

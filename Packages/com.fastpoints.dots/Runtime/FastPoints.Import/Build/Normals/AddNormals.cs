@@ -162,7 +162,7 @@ namespace FastPoints.Build
                 yield return JobStep.Of(NormalEstimator.Run(batch, region, found, m_slices, workers()));
                 if (scanners.Length > 0)
                 {
-                    var job = OrientNormalsJob.Of(batch, scanners, region.Metres, found);
+                    var job = OrientNormalsJob.Of(batch, scanners, region.StepMetres, found);
                     yield return JobStep.Of(Slices.Run(0, batch.Count, OrientNormalsJob.PointsPerSlice, job.Schedule));
                 }
                 yield return JobStep.Of(normals.AppendNormals(found));
@@ -185,7 +185,7 @@ namespace FastPoints.Build
         {
             // What was written is read once before it counts.
             using (var written = CloudFolder.Open(m_path, manifest))
-                foreach (var _ in written.LoadAll())
+                foreach (var _ in written.EachTable())
                     yield return default;
             FolderReleases.Release(m_path);
             try

@@ -67,8 +67,8 @@ namespace FastPoints.Build
             m_firstOfBucket = (int*)Points.FirstOfBucket.GetUnsafeReadOnlyPtr();
             m_count = Points.Count.Value;
             m_min = Region.Min - Region.OuterMin;
-            m_max = (Region.Max - Region.OuterMin) * Region.Metres;
-            m_min *= Region.Metres;
+            m_max = (Region.Max - Region.OuterMin) * Region.StepMetres;
+            m_min *= Region.StepMetres;
             for (int i = FirstCell(); i < End;)
             {
                 int level = LevelOf(i), shift = 3 * (Morton.BitsPerAxis - level), count = 0, end = i;
@@ -132,7 +132,7 @@ namespace FastPoints.Build
                 int shift = Morton.BitsPerAxis - level;
                 Morton.Decode(m_codes[pending[0]], out uint x, out uint y, out uint z);
                 var cell = new uint3(x >> shift, y >> shift, z >> shift);
-                double edge = Points.Cell * (1L << shift);
+                double edge = Points.FinestCellMetres * (1L << shift);
                 var middle = new double3(cell.x + 0.5, cell.y + 0.5, cell.z + 0.5) * edge;
                 FindRanges(cell, level);
                 // On a plane so near, if it cuts ten of the cells.
@@ -201,7 +201,7 @@ namespace FastPoints.Build
                         ulong code = Morton.Encode(x, y, z);
                         // One and the next along X are neighbours on the curve, too.
                         bool isPair = (x & 1) == 0 && x < math.min(cell.x + 1, last);
-                        int begin = RegionPoints.Find(m_codes, m_firstOfBucket, code << shift);
+                        int begin = RegionPoints.FirstNotBelow(m_codes, m_firstOfBucket, code << shift);
                         int end = EndOf(begin, (isPair ? code + 2 : code + 1) << shift);
                         m_begins[m_ranges] = begin;
                         m_ends[m_ranges] = end;
@@ -255,7 +255,7 @@ namespace FastPoints.Build
             for (; end < m_count && end - first < near; end++)
                 if (m_codes[end] >= code)
                     return end;
-            return end < m_count ? RegionPoints.Find(m_codes, m_firstOfBucket, code) : m_count;
+            return end < m_count ? RegionPoints.FirstNotBelow(m_codes, m_firstOfBucket, code) : m_count;
         }
     }
 }

@@ -66,10 +66,10 @@ namespace FastPoints.Build
 
         Container Add(int page, NodeTable table)
         {
-            string path = m_folder.PathOf(page);
+            string path = m_folder.PlanesPathOf(page);
             if (!m_containers.TryGetValue(path, out var container))
             {
-                m_containers.Add(path, container = new Container { Record = m_folder.ContainerOf(page) });
+                m_containers.Add(path, container = new Container { Record = m_folder.PlanesContainerOf(page) });
                 container.Record.Layer = m_layer;
             }
             for (int n = 0; n < table.Nodes.Length; n++)

@@ -108,11 +108,11 @@ namespace FastPoints.Build
             {
                 Min = new double3(corner.X, corner.Y, corner.Z),
                 Max = new double3(corner.X, corner.Y, corner.Z) + cube.Side,
-                Metres = m_metres,
+                StepMetres = m_metres,
                 Neighbours = m_settings.Neighbours,
-                Margin = MarginSpacings * math.sqrt(m_settings.Neighbours) * sum / math.max(1, weight),
+                MarginMetres = MarginSpacings * math.sqrt(m_settings.Neighbours) * sum / math.max(1, weight),
             };
-            var around = StepsOf(region.Margin);
+            var around = StepsOf(region.MarginMetres);
             ChooseIn(cube.Corner - around, EndOf(cube) + around);
             return region;
         }

@@ -70,7 +70,7 @@ namespace FastPoints.Build
             var view = new PageView { Bytes = at };
             if (hasNodes)
             {
-                view.Containers[0] = folder.ContainerOf(page);
+                view.Containers[0] = folder.PlanesContainerOf(page);
                 view.Containers[1] = normals.ContainerOf(page);
                 view.ContainerOfPlane[built] = 1;
             }

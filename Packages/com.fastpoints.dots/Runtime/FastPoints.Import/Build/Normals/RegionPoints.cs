@@ -12,12 +12,12 @@ namespace FastPoints.Build
     {
         public double3 Min; // Points in this box, its upper ends left out, get a normal.
         public double3 Max;
-        public double Margin; // Their neighbours are up to so far from it, in metres.
-        public double3 Metres; // Metres of a step along each axis.
+        public double MarginMetres; // Their neighbours are up to so far from it.
+        public double3 StepMetres; // Along each axis.
         public int Neighbours; // How many neighbours of a point its plane is laid through, besides the point.
 
-        public readonly double3 OuterMin => Min - Margin / Metres;
-        public readonly double3 OuterMax => Max + Margin / Metres;
+        public readonly double3 OuterMin => Min - MarginMetres / StepMetres;
+        public readonly double3 OuterMax => Max + MarginMetres / StepMetres;
     }
 
     /// <summary>The points of a region along the Z curve, at its finest cells of 2^-21 of its longest side; in metres from its
@@ -33,7 +33,7 @@ namespace FastPoints.Build
         public NativeArray<ulong> Codes;
         public NativeArray<uint> Ids; // By point: its index in the batch.
         public NativeArray<int> FirstOfBucket; // With one more entry, the number of points.
-        public double Cell; // Edge of the finest cells in metres.
+        public double FinestCellMetres; // Their edge.
         internal NativeArray<ulong> FoundCodes; // As they are found, then free.
         internal NativeArray<uint> FoundIds;
         internal NativeReference<int> Count;
@@ -50,14 +50,14 @@ namespace FastPoints.Build
             FoundIds = new NativeArray<uint>(capacity, Allocator.Persistent, raw);
             FirstOfBucket = new NativeArray<int>((1 << BucketBits) + 1, Allocator.Persistent);
             Count = new NativeReference<int>(Allocator.Persistent);
-            double side = math.cmax((region.OuterMax - region.OuterMin) * region.Metres);
-            Cell = math.max(side, double.Epsilon * (1L << 40)) / (Morton.MaxCoordinate + 1.0);
+            double side = math.cmax((region.OuterMax - region.OuterMin) * region.StepMetres);
+            FinestCellMetres = math.max(side, double.Epsilon * (1L << 40)) / (Morton.MaxCoordinate + 1.0);
         }
 
         public static int BucketOf(ulong code) => (int)(code >> BucketShift);
 
         /// <summary>The first point whose code is no smaller.</summary>
-        public static int Find(ulong* codes, int* firstOfBucket, ulong code)
+        public static int FirstNotBelow(ulong* codes, int* firstOfBucket, ulong code)
         {
             int bucket = BucketOf(code);
             if (bucket >= 1 << BucketBits)
@@ -108,7 +108,7 @@ namespace FastPoints.Build
         public void Execute()
         {
             long begin = SliceTimes.Begin();
-            double3 min = Region.OuterMin, size = Region.OuterMax - min, scale = Region.Metres / Points.Cell;
+            double3 min = Region.OuterMin, size = Region.OuterMax - min, scale = Region.StepMetres / Points.FinestCellMetres;
             double* x = (double*)X.GetUnsafeReadOnlyPtr(), y = (double*)Y.GetUnsafeReadOnlyPtr(),
                 z = (double*)Z.GetUnsafeReadOnlyPtr();
             var codes = (ulong*)Points.FoundCodes.GetUnsafePtr();
@@ -199,9 +199,9 @@ namespace FastPoints.Build
                     (uint*)Points.FoundIds.GetUnsafePtr() + first, starts[bucket + 1] - first);
             }
             var min = Region.OuterMin;
-            Place((double*)X.GetUnsafeReadOnlyPtr(), min.x, Region.Metres.x, begin, end, (double*)Points.X.GetUnsafePtr());
-            Place((double*)Y.GetUnsafeReadOnlyPtr(), min.y, Region.Metres.y, begin, end, (double*)Points.Y.GetUnsafePtr());
-            Place((double*)Z.GetUnsafeReadOnlyPtr(), min.z, Region.Metres.z, begin, end, (double*)Points.Z.GetUnsafePtr());
+            Place((double*)X.GetUnsafeReadOnlyPtr(), min.x, Region.StepMetres.x, begin, end, (double*)Points.X.GetUnsafePtr());
+            Place((double*)Y.GetUnsafeReadOnlyPtr(), min.y, Region.StepMetres.y, begin, end, (double*)Points.Y.GetUnsafePtr());
+            Place((double*)Z.GetUnsafeReadOnlyPtr(), min.z, Region.StepMetres.z, begin, end, (double*)Points.Z.GetUnsafePtr());
         }
 
         void Place(double* from, double min, double metres, int begin, int end, double* to)

@@ -36,7 +36,7 @@ namespace FastPoints.Build
         /// <summary>The chunks' cubes, in Morton order; they fill the cube.</summary>
         public GridCube[] Chunks { get; }
 
-        public int Outside => Chunks.Length;
+        public int OutsideChunk => Chunks.Length;
 
         /// <summary>See <see cref="Build.BaseCells"/>: those of the cube, in Morton order.</summary>
         public GridCube[] BaseCells { get; set; }
@@ -49,7 +49,7 @@ namespace FastPoints.Build
         /// <summary>Indexed by Morton number of the cell; ~i: its subcells' chunks begin at i, in Morton order.</summary>
         public NativeArray<int> ChunkOfCell => m_chunkOfCell;
 
-        public ChunkFinder Finder => new ChunkFinder(new CellFinder(Cube, Levels), m_subcellLevels, Outside);
+        public ChunkFinder Finder => new ChunkFinder(new CellFinder(Cube, Levels), m_subcellLevels, OutsideChunk);
 
         /// <summary>The number of levels of cells that a cube of this side can have.</summary>
         public static int LevelsFor(int sideLog2, int wanted) => Math.Min(wanted, sideLog2);
@@ -125,7 +125,7 @@ namespace FastPoints.Build
 
         /// <summary>The largest cubes with at most <paramref name="target"/> points by the estimate, however
         /// uncertain.</summary>
-        public static GridCube[] CellsOf(GridCube cube, DensityTree density, long target, out double[] points)
+        public static GridCube[] BaseCellsOf(GridCube cube, DensityTree density, long target, out double[] points)
         {
             var cells = new List<GridCube>();
             var estimates = new List<double>();
@@ -196,7 +196,7 @@ namespace FastPoints.Build
         }
 
         /// <summary>Whether the cube holds a box, and is small enough for <see cref="ChunksOf"/>.</summary>
-        public bool Contains(Grid3 min, Grid3 max) => m_cells.SideLog2 <= 31 && m_cells.CellOf(min.X, min.Y, min.Z) >= 0 &&
+        public bool CanLocateAll(Grid3 min, Grid3 max) => m_cells.SideLog2 <= 31 && m_cells.CellOf(min.X, min.Y, min.Z) >= 0 &&
             m_cells.CellOf(max.X, max.Y, max.Z) >= 0;
 
         /// <summary>The chunks of many positions, all of them within the cube.</summary>

@@ -207,7 +207,7 @@ namespace FastPoints.Build
             Store.BlockCodec.FindRange(y, count, out uint minY, out uint maxY);
             Store.BlockCodec.FindRange(z, count, out uint minZ, out uint maxZ);
             Grid3 min = Layout.Base + new Grid3(minX, minY, minZ), max = Layout.Base + new Grid3(maxX, maxY, maxZ);
-            if (!Chunks.Contains(min, max))
+            if (!Chunks.CanLocateAll(min, max))
                 return false;
             statistics.Min = Grid3.Min(statistics.Min, min);
             statistics.Max = Grid3.Max(statistics.Max, max);
@@ -301,9 +301,10 @@ namespace FastPoints.Build
         void LoadOffsets(byte* bytes, int first, int count, uint* offsets)
         {
             var (stored, origin) = (Positions, Layout.Base);
-            SourceToGrid.ToOffsets(Grid.X, stored.X.At(bytes, first), stored.X.Type, count, origin.X, offsets);
-            SourceToGrid.ToOffsets(Grid.Y, stored.Y.At(bytes, first), stored.Y.Type, count, origin.Y, offsets + BatchPoints);
-            SourceToGrid.ToOffsets(Grid.Z, stored.Z.At(bytes, first), stored.Z.Type, count, origin.Z, offsets + 2 * BatchPoints);
+            uint* y = offsets + BatchPoints, z = y + BatchPoints;
+            SourceToGrid.IntegersToOffsets(Grid.X, stored.X.At(bytes, first), stored.X.Type, count, origin.X, offsets);
+            SourceToGrid.IntegersToOffsets(Grid.Y, stored.Y.At(bytes, first), stored.Y.Type, count, origin.Y, y);
+            SourceToGrid.IntegersToOffsets(Grid.Z, stored.Z.At(bytes, first), stored.Z.Type, count, origin.Z, z);
         }
 
         /// <summary>Copies records to their indices.</summary>

@@ -71,7 +71,7 @@ namespace FastPoints.Build
             }
             finally
             {
-                ticket.Wait();
+                ticket.WaitAndStopRetries();
             }
         }
 
@@ -308,7 +308,7 @@ namespace FastPoints.Build
             }
             finally
             {
-                ticket.Wait();
+                ticket.WaitAndStopRetries();
             }
         }
 

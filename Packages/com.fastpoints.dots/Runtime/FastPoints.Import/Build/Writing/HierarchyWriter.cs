@@ -22,7 +22,7 @@ namespace FastPoints.Build
         public long TableOffset;
         public ulong TableHash;
 
-        public int SampledWith;
+        public int SamplingGroup;
 
         /// <summary>The subtrees that hang on its nodes, in the order of the nodes, then along the Morton curve.</summary>
         public readonly List<(int Node, Subtree Subtree)> Children = new List<(int, Subtree)>();
@@ -177,7 +177,7 @@ namespace FastPoints.Build
                 subtree => subtree.Load(planeCount), WritePiece);
             yield return JobStep.Of(writer.Write(root, link =>
             {
-                manifest.NodeCount = link.NodeCount;
+                manifest.NodeCount = link.SubtreeNodeCount;
                 manifest.RootOffset = link.OffsetBytes;
                 manifest.RootBytes = link.LengthBytes;
                 manifest.RootHash = link.Hash;
@@ -299,11 +299,11 @@ namespace FastPoints.Build
                 header.PointCount += records[i].PointCount;
             }
             header.LinkCount = links.Count;
-            link = new PageLink { PointCount = header.PointCount, NodeCount = nodes.Count };
+            link = new PageLink { SubtreePointCount = header.PointCount, SubtreeNodeCount = nodes.Count };
             foreach (var below in links)
             {
-                link.PointCount += below.PointCount;
-                link.NodeCount += below.NodeCount;
+                link.SubtreePointCount += below.SubtreePointCount;
+                link.SubtreeNodeCount += below.SubtreeNodeCount;
             }
             int start = to.Length, length = (int)header.LengthBytes;
             to.Resize(start + length, NativeArrayOptions.ClearMemory);
@@ -402,7 +402,7 @@ namespace FastPoints.Build
             record.FirstChild = children > 0 ? nextChild : 0;
             record.ChildCount = children;
             nextChild += children;
-            record.SampledWith = Subtree.SampledWith;
+            record.SamplingGroup = Subtree.SamplingGroup;
             record.FirstLink = record.LinkCount = 0;
             if (!m_links.TryGetValue(node, out var below))
                 return record;

@@ -244,9 +244,8 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Waits until the bytes are no longer needed, written or not. It throws nothing, as clean-up needs
-        /// it: what the system refuses is not retried meanwhile.</summary>
-        public void Wait()
+        /// <summary>Waits until the bytes are no longer needed, written or not; throws nothing, for clean-up.</summary>
+        public void WaitAndStopRetries()
         {
             lock (m_lock)
             {

@@ -31,8 +31,8 @@ namespace FastPoints.Export
             Table = table;
             m_store = store;
             m_isRoot = page == 0;
-            m_remote = folder.RemoteOf(page);
-            Path = folder.PathOf(page);
+            m_remote = folder.PlanesRemoteOf(page);
+            Path = folder.PlanesPathOf(page);
             int built = table.PlaneCount - store.Layout.ComputedPlaneCount;
             m_bytes = ByteRange.Of(table, 0, built);
             m_computedBytes = ByteRange.Of(table, built, table.PlaneCount);
@@ -65,7 +65,7 @@ namespace FastPoints.Export
                 ComputedOffset = m_computedBytes.First,
                 ComputedPlaneCount = m_store.Layout.ComputedPlaneCount,
                 Nodes = Table.Nodes,
-                Planes = Table.Planes,
+                Planes = Table.PlaneRanges,
                 PlaneCount = Table.PlaneCount,
                 Columns = m_store.Columns,
                 FirstColumnOfPlane = m_store.FirstColumnOfPlane,
@@ -135,9 +135,9 @@ namespace FastPoints.Export
             public static ByteRange Of(NodeTable table, int firstPlane, int endPlane)
             {
                 long first = long.MaxValue, end = 0;
-                for (int i = 0; i < table.Planes.Length; i++)
+                for (int i = 0; i < table.PlaneRanges.Length; i++)
                 {
-                    var range = table.Planes[i];
+                    var range = table.PlaneRanges[i];
                     if (range.LengthBytes == 0 || i % table.PlaneCount < firstPlane || i % table.PlaneCount >= endPlane)
                         continue;
                     first = Math.Min(first, range.OffsetBytes);

@@ -196,7 +196,7 @@ namespace FastPoints.Export
             var node = table.Nodes[index];
             if (result.Fault != NodeFault.None)
             {
-                var range = table.Planes[node.PlaneNode * table.PlaneCount + result.Plane];
+                var range = table.PlaneRanges[node.PlaneNode * table.PlaneCount + result.Plane];
                 m_result.Add(string.Format(CultureInfo.InvariantCulture, "{0}: at byte {1}: node {2}, plane \"{3}\": {4}", path,
                     range.OffsetBytes, index, m_folder.Layout.Planes[result.Plane].Name, Describe(result, range)));
                 return;

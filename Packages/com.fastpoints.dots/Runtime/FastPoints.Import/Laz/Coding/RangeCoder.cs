@@ -18,7 +18,7 @@ namespace FastPoints.Laz
         /// <summary>Starts a stream: its first four bytes are the value. No encoder writes four bytes of ones, which would be
         /// the whole length: they become the largest value below it.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static void Start(out uint value, out uint length, ref byte* next)
+        public static void StartDecoding(out uint value, out uint length, ref byte* next)
         {
             value = BigEndian(next);
             next += 4;
@@ -107,7 +107,7 @@ namespace FastPoints.Laz
         }
 
         /// <summary>Ends a stream with as many bytes as a decoder reads.</summary>
-        public static void End(uint low, uint length, ref byte* next)
+        public static void EndEncoding(uint low, uint length, ref byte* next)
         {
             bool isLong = length > 2 * MinLength;
             Narrow(isLong ? MinLength : MinLength >> 1, isLong ? MinLength >> 1 : MinLength >> 9, ref low, ref length, ref next);

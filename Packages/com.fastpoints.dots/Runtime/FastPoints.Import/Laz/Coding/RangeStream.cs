@@ -37,7 +37,7 @@ namespace FastPoints.Laz
         {
             Next = first;
             End = end;
-            RangeCoder.Start(out Value, out Length, ref Next);
+            RangeCoder.StartDecoding(out Value, out Length, ref Next);
         }
 
         public void StartWriting(byte* first) => Save(0, uint.MaxValue, first);

@@ -307,7 +307,7 @@ namespace FastPoints.Laz
         {
             var stream = chunk->m_stream;
             stream.Resume(output, null);
-            RangeCoder.End(stream.Value, stream.Length, ref stream.Next);
+            RangeCoder.EndEncoding(stream.Value, stream.Length, ref stream.Next);
             return stream.Next - output;
         }
     }

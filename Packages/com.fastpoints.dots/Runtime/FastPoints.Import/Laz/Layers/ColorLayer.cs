@@ -28,7 +28,7 @@ namespace FastPoints.Laz
             int done = 0;
             for (; done < count; done++)
             {
-                int context = PointContext.Of(pointContexts[done], layer->FollowsChannel);
+                int context = PointContext.ContextIndexOf(pointContexts[done], layer->FollowsChannel);
                 ushort* last = ((RgbItem*)memory)->Last;
                 if (context != current)
                 {
@@ -60,7 +60,7 @@ namespace FastPoints.Laz
             int done = 0;
             for (; done < count; done++)
             {
-                int context = PointContext.Of(pointContexts[done], layer->FollowsChannel);
+                int context = PointContext.ContextIndexOf(pointContexts[done], layer->FollowsChannel);
                 ushort* last = (ushort*)memory;
                 if (context != current)
                 {
@@ -97,7 +97,7 @@ namespace FastPoints.Laz
             byte* memory = contexts + (long)current * RgbContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
-                int context = PointContext.Of(pointContexts[i], layer->FollowsChannel);
+                int context = PointContext.ContextIndexOf(pointContexts[i], layer->FollowsChannel);
                 ushort* last = ((RgbItem*)memory)->Last;
                 if (context != current)
                 {
@@ -123,7 +123,7 @@ namespace FastPoints.Laz
             byte* memory = contexts + (long)current * InfraredContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
-                int context = PointContext.Of(pointContexts[i], layer->FollowsChannel);
+                int context = PointContext.ContextIndexOf(pointContexts[i], layer->FollowsChannel);
                 byte* last = memory;
                 if (context != current)
                 {

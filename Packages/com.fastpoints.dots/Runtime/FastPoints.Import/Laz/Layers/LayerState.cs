@@ -59,7 +59,7 @@ namespace FastPoints.Laz
         public const int ZShift = 11;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static int Of(uint point, int followsChannel) =>
+        public static int ContextIndexOf(uint point, int followsChannel) =>
             followsChannel != 0 || (point & ChannelChangedBit) != 0 ? (int)(point & ChannelMask) : 0;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -88,7 +88,7 @@ namespace FastPoints.Laz
                     continue;
                 var stream = writer->m_state.Stream;
                 stream.Resume(output, null);
-                RangeCoder.End(stream.Value, stream.Length, ref stream.Next);
+                RangeCoder.EndEncoding(stream.Value, stream.Length, ref stream.Next);
                 End(writer, output, stream.Next - output);
             }
             return writer->m_layer == writer->m_layerCount ? writer->m_end : 0;

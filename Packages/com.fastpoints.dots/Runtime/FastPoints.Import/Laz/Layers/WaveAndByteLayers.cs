@@ -22,7 +22,7 @@ namespace FastPoints.Laz
             int done = 0;
             for (; done < count; done++)
             {
-                int context = PointContext.Of(pointContexts[done], layer->FollowsChannel);
+                int context = PointContext.ContextIndexOf(pointContexts[done], layer->FollowsChannel);
                 byte* last = ((WavePacketItem*)memory)->Last;
                 if (context != current)
                 {
@@ -54,7 +54,7 @@ namespace FastPoints.Laz
             int done = 0;
             for (; done < count; done++)
             {
-                int context = PointContext.Of(pointContexts[done], layer->FollowsChannel);
+                int context = PointContext.ContextIndexOf(pointContexts[done], layer->FollowsChannel);
                 byte* last = memory;
                 if (context != current)
                 {
@@ -82,7 +82,7 @@ namespace FastPoints.Laz
             byte* memory = contexts + (long)current * WaveContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
-                int context = PointContext.Of(pointContexts[i], layer->FollowsChannel);
+                int context = PointContext.ContextIndexOf(pointContexts[i], layer->FollowsChannel);
                 byte* last = ((WavePacketItem*)memory)->Last;
                 if (context != current)
                 {
@@ -107,7 +107,7 @@ namespace FastPoints.Laz
             byte* memory = contexts + (long)current * ByteContextBytes;
             for (int i = 0; i < count; i++, field += stride)
             {
-                int context = PointContext.Of(pointContexts[i], layer->FollowsChannel);
+                int context = PointContext.ContextIndexOf(pointContexts[i], layer->FollowsChannel);
                 byte* last = memory;
                 if (context != current)
                 {

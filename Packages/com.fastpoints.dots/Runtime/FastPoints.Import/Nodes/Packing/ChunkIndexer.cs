@@ -249,7 +249,7 @@ namespace FastPoints.Nodes
         {
             Columns = m_store.AveragedColumns,
             AverageOfPoint = m_workspace.AverageOfPoint,
-            Averages = m_workspace.Averages,
+            Sums = m_workspace.AverageSums,
         };
     }
 

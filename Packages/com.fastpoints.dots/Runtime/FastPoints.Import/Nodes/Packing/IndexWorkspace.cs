@@ -22,7 +22,7 @@ namespace FastPoints.Nodes
         internal NativeArray<uint> Priority;
         internal NativeArray<int> NodeOfPoint;
         internal NativeArray<int> AverageOfPoint;
-        internal NativeList<PointAverage> Averages;
+        internal NativeList<AverageSums> AverageSums;
         internal WriteScratch Writing;
         internal SampleScratch Sampling;
 
@@ -33,7 +33,7 @@ namespace FastPoints.Nodes
             Ordering = new OrderScratch(Allocator.Persistent);
             Sampling = new SampleScratch(Allocator.Persistent);
             Writing = new WriteScratch(Allocator.Persistent);
-            Averages = new NativeList<PointAverage>(16, Allocator.Persistent);
+            AverageSums = new NativeList<AverageSums>(16, Allocator.Persistent);
         }
 
         public JobHandle Last { get; internal set; }
@@ -72,11 +72,11 @@ namespace FastPoints.Nodes
         public void Dispose()
         {
             Last.Complete();
-            if (!Averages.IsCreated)
+            if (!AverageSums.IsCreated)
                 return;
             FreePoints();
             Ordering.Dispose();
-            Averages.Dispose();
+            AverageSums.Dispose();
             Writing.Dispose();
             Sampling.Dispose();
         }

@@ -196,7 +196,7 @@ namespace FastPoints.Nodes
             for (int first = 0; first < count; first += PointsOfBatch)
             {
                 int length = math.min(PointsOfBatch, count - first);
-                Layout.LoadPositions(records + first * Layout.StrideBytes, length, x, y, z);
+                Layout.LoadNarrowPositions(records + first * Layout.StrideBytes, length, x, y, z);
                 Morton.EncodeShort(x, y, z, length, new MortonCells(CornerOffset, shift), bucketOf + first);
             }
         }
@@ -265,7 +265,7 @@ namespace FastPoints.Nodes
                     (long)(end - m_state.Point) * stride);
                 if (IsNarrow)
                 {
-                    Layout.LoadPositions(record, end - m_state.Point, x, y, z);
+                    Layout.LoadNarrowPositions(record, end - m_state.Point, x, y, z);
                     Morton.Encode(x, y, z, end - m_state.Point, new MortonCells(CornerOffset, shift), keys + m_state.Point);
                 }
                 for (int i = m_state.Point; i < end; i++, record += stride)
@@ -312,7 +312,7 @@ namespace FastPoints.Nodes
             // Two long digits, or three short ones, leave few records of one prefix.
             int prefix = count <= InsertedPoints ? top : math.max(numberBits, top - (count < FewPoints ? 3 : 2) * digit);
             ulong* sorted = RadixSort(keys, scratch, count, prefix, top, digit);
-            if (!InsertionSort(sorted, count))
+            if (!TryInsertionSort(sorted, count))
                 sorted = RadixSort(sorted, sorted == keys ? scratch : keys, count, numberBits, top, digit);
             var table = new RecordTable { Records = Scratch.Bucket.GetUnsafePtr(), Layout = Layout, Corner = Cube.Corner };
             for (int i = 1; i < count; i++)
@@ -361,7 +361,7 @@ namespace FastPoints.Nodes
         }
 
         /// <returns>False if it gave up, since many keys are far from their index.</returns>
-        static bool InsertionSort(ulong* keys, int count)
+        static bool TryInsertionSort(ulong* keys, int count)
         {
             long budget = 8L * count + InsertedPoints * InsertedPoints;
             for (int i = 1; i < count; i++)

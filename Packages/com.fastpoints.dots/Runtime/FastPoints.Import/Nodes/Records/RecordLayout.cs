@@ -20,7 +20,7 @@ namespace FastPoints.Nodes
         public Grid3 Base; // The corner that narrow positions count from; zero if wide.
         public int AttributeBytes; // Padded to whole 32-bit words.
 
-        /// <summary>Bytes of a <see cref="PointAverage"/> after the attributes, or 0: the tops of chunks have it if colours are
+        /// <summary>Bytes of an <see cref="AverageSums"/> after the attributes, or 0: the tops of chunks have it if colours are
         /// averaged. It is not part of the point.</summary>
         public int AverageBytes;
 
@@ -38,7 +38,7 @@ namespace FastPoints.Nodes
         public RecordLayout ForTops(bool hasAverages)
         {
             var result = this;
-            result.AverageBytes = hasAverages ? sizeof(PointAverage) : 0;
+            result.AverageBytes = hasAverages ? sizeof(AverageSums) : 0;
             return result;
         }
 
@@ -66,7 +66,7 @@ namespace FastPoints.Nodes
             ((uint*)record)[2] = (uint)(z - Base.Z);
         }
 
-        public void LoadPositions(byte* records, int count, uint* x, uint* y, uint* z)
+        public void LoadNarrowPositions(byte* records, int count, uint* x, uint* y, uint* z)
         {
             int stride = StrideBytes;
             for (int i = 0; i < count; i++, records += stride)
@@ -95,7 +95,7 @@ namespace FastPoints.Nodes
             RecordHash.Of(PositionOf(record), AttributesOf(record), AttributeBytes, seed);
     }
 
-    internal struct PointAverage
+    internal struct AverageSums
     {
         public double Points; // Number of points of the cloud, including itself.
         public double4 Sum; // Sums over them of up to four values: the columns of the averaged planes.
@@ -106,24 +106,24 @@ namespace FastPoints.Nodes
     {
         [ReadOnly] public NativeArray<StoredColumn> Columns; // Empty if nothing is averaged.
 
-        /// <summary>For each point, its index in <see cref="Averages"/>; -1 for a point that represents what its record says, or
+        /// <summary>For each point, its index in <see cref="Sums"/>; -1 for a point that represents what its record says, or
         /// only itself. Empty if nothing is averaged.</summary>
         public NativeArray<int> AverageOfPoint;
-        public NativeList<PointAverage> Averages;
+        public NativeList<AverageSums> Sums;
 
         public bool HasColumns => Columns.Length > 0;
 
-        public PointAverage Of(int point, byte* record, RecordLayout layout)
+        public AverageSums Of(int point, byte* record, RecordLayout layout)
         {
             int average = AverageOfPoint[point];
             if (average >= 0)
-                return Averages[average];
+                return Sums[average];
             var attributes = layout.AttributesOf(record);
-            var own = new PointAverage { Points = 1 };
+            var own = new AverageSums { Points = 1 };
             if (layout.AverageBytes > 0)
             {
                 // Records are only aligned to whole words.
-                UnsafeUtility.MemCpy(&own, attributes + layout.AttributeBytes, sizeof(PointAverage));
+                UnsafeUtility.MemCpy(&own, attributes + layout.AttributeBytes, sizeof(AverageSums));
                 return own;
             }
             for (int c = 0; c < Columns.Length; c++)
@@ -131,7 +131,7 @@ namespace FastPoints.Nodes
             return own;
         }
 
-        public ulong Stored(in PointAverage average, int column)
+        public ulong Stored(in AverageSums average, int column)
         {
             double mean = average.Sum[column] / average.Points;
             if (Columns[column].Type != AttributeType.Float32)

@@ -58,7 +58,7 @@ namespace FastPoints.Nodes
         }
 
         /// <summary>The same for whole numbers whose grid numbers are less than 2^32 above an origin: offsets from it.</summary>
-        public static unsafe void ToOffsets(in SourceAxis axis, byte* stored, AttributeType type, int count, long origin,
+        public static unsafe void IntegersToOffsets(in SourceAxis axis, byte* stored, AttributeType type, int count, long origin,
             uint* offsets)
         {
             if (type == AttributeType.Int32)
@@ -152,9 +152,8 @@ namespace FastPoints.Nodes
         const int FloatExtentLog2 = 31;
 
         public CloudGrid Grid;
-
         public SourceToGrid[] Sources;
-        public RecordLayout Records; // The layout for the largest range of grid numbers: wide if it does not fit 32 bits.
+        public RecordLayout RecordLayout; // For the largest range of grid numbers: wide if it does not fit 32 bits.
 
         /// <param name="hasUniformStep">Whether the step is the same on all axes.</param>
         /// <exception cref="PointCloudException">The scales and offsets do not fit any grid of 2^60 steps.</exception>
@@ -199,7 +198,7 @@ namespace FastPoints.Nodes
                 else
                     origin.Z = lowest;
             }
-            choice.Records = new RecordLayout(!isNarrow, origin, attributeBytes);
+            choice.RecordLayout = new RecordLayout(!isNarrow, origin, attributeBytes);
             return choice;
         }
 

@@ -60,11 +60,11 @@ namespace FastPoints.Nodes
             if (Averaged.AverageOfPoint[to] < 0)
             {
                 var first = Averaged.Of(to, m_records + (long)to * stride, Layout);
-                Averaged.AverageOfPoint[to] = Averaged.Averages.Length;
-                Averaged.Averages.Add(first);
+                Averaged.AverageOfPoint[to] = Averaged.Sums.Length;
+                Averaged.Sums.Add(first);
             }
             var more = Averaged.Of(from, m_records + (long)from * stride, Layout);
-            ref var sum = ref Averaged.Averages.ElementAt(Averaged.AverageOfPoint[to]);
+            ref var sum = ref Averaged.Sums.ElementAt(Averaged.AverageOfPoint[to]);
             sum.Points += more.Points;
             sum.Sum += more.Sum;
         }

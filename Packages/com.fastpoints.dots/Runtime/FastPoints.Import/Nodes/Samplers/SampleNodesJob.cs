@@ -155,7 +155,7 @@ namespace FastPoints.Nodes
                 Scratch.OfferedCommon.ResizeUninitialized(Count);
             if (Averaged.HasColumns)
             {
-                Averaged.Averages.Clear();
+                Averaged.Sums.Clear();
                 UnsafeUtility.MemSet(Averaged.AverageOfPoint.GetUnsafePtr(), 0xFF, (long)Count * sizeof(int));
             }
             m_state.Stage = Count > 0 ? Stage.Plan : Stage.Done;
@@ -199,7 +199,7 @@ namespace FastPoints.Nodes
             m_state.SideLog2 = largest;
             if (end < range.End)
                 return;
-            var survey = new CubeSurvey { PointCount = range.End - range.First, AnyCell = 1, SideLog2 = largest };
+            var survey = new CubeSurvey { PointCount = range.End - range.First, CellsOfAnySize = 1, SideLog2 = largest };
             for (int side = 0; side < CubeSurvey.Sides; side++)
                 for (int table = 0; table < CountTables; table++)
                     survey.CellsBelow[side] += counts[table * CountsOfTable + side];
@@ -217,7 +217,7 @@ namespace FastPoints.Nodes
 
         void Decide(ref SampledCube range, in CubeSurvey survey)
         {
-            int finest = survey.FinestCell(Sizes, out int cells);
+            int finest = survey.FinestCellLog2(Sizes, out int cells);
             bool isLeaf = Sizes.IsLeaf(survey.PointCount, cells);
             if (Tops.Length > 0)
             {
@@ -382,7 +382,7 @@ namespace FastPoints.Nodes
 
         public int PointCount;
         public int SideLog2; // log2 of the side of the smallest cube with all of them.
-        public int AnyCell; // Number of cells of any size, apart from those below.
+        public int CellsOfAnySize; // Number of cells of any size, apart from those below.
 
         /// <summary>For each log2 of a side: how many more such cells there are if cells are smaller than this.</summary>
         public fixed int CellsBelow[Sides];
@@ -390,10 +390,10 @@ namespace FastPoints.Nodes
         /// <summary>The finest cells with which a node does not become too large: those that the sizes give, or coarser ones in a
         /// filled volume.</summary>
         /// <param name="cells">The number of cells with points.</param>
-        public readonly int FinestCell(in NodeSizes sizes, out int cells)
+        public readonly int FinestCellLog2(in NodeSizes sizes, out int cells)
         {
             int finest = SideLog2 > sizes.CellsLog2 ? SideLog2 - sizes.CellsLog2 : 0;
-            int best = SideLog2, more = AnyCell;
+            int best = SideLog2, more = CellsOfAnySize;
             for (int side = Sides - 1; side > SideLog2; side--)
                 more += CellsBelow[side];
             cells = more;

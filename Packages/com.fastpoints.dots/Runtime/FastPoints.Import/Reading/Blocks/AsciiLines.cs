@@ -58,7 +58,7 @@ namespace FastPoints.Reading
         }
 
         // False if the value does not fit into the type: the nearest one that fits is stored.
-        public static bool StoreInteger(byte* column, int row, AttributeType type, int bytes, ulong magnitude, bool isNegative)
+        public static bool StoreClamped(byte* column, int row, AttributeType type, int bytes, ulong magnitude, bool isNegative)
         {
             int bits = 8 * bytes;
             bool isSigned = type == AttributeType.Int8 || type == AttributeType.Int16 || type == AttributeType.Int32 ||

@@ -45,6 +45,9 @@ namespace FastPoints.Reading
                         hash = hash * 31 ^ ContentHash.Of(first, expression.Text.Length * sizeof(char));
                 if (Polygons != null)
                     hash = hash * 31 ^ Polygons.Hash;
+                fixed (LocalClip* clips = Clips)
+                    for (int c = 0; c < Clips.Length; c++)
+                        hash = hash * 31 ^ ContentHash.Of(clips + c, 12 * sizeof(double)) + (clips[c].Cuts ? 1ul : 0);
                 return hash;
             }
         }

@@ -110,7 +110,7 @@ namespace FastPoints.Reading
 
         public (int First, int Count) BlocksOf(int tile) => (m_tiles[tile].FirstBlock, m_tiles[tile].BlockCount);
 
-        public SourceEntry TileOf(int tile) => new SourceEntry
+        public SourceEntry TileEntryOf(int tile) => new SourceEntry
         {
             Name = m_tiles[tile].Path,
             FileBytes = m_tiles[tile].FileBytes,
@@ -169,7 +169,7 @@ namespace FastPoints.Reading
             {
                 return work.MoveNext();
             }
-            catch (PointCloudException e) when (m_skipsUnreadable && e.IsBadInput)
+            catch (PointCloudException e) when (m_skipsUnreadable && e.IsInputAtFault)
             {
                 WarnLeftOut(tile.Path, e);
                 return false;
@@ -343,7 +343,7 @@ namespace FastPoints.Reading
                         Path = path,
                         FileBytes = reader.Info.FileBytes,
                         HeadHash = reader.Info.HeadHash,
-                        Bounds = reader.Info.BoundsTrusted,
+                        Bounds = reader.Info.BoundsIfFinite,
                         Schema = Shared(reader.Info.Schema),
                         Transform = reader.Info.Transform,
                         IsKnown = reader.BlocksAreKnown,

@@ -73,10 +73,10 @@ namespace FastPoints.Sources
                 yield break;
             yield return JobStep.Of(m_hierarchy.Read(default, int.MaxValue));
             m_hierarchy.WarnUnreported();
-            yield return JobStep.Of(PoolTask.Run(Info.Path, Check, checkedAll => m_tree.IsHierarchyRead = checkedAll));
+            yield return JobStep.Of(PoolTask.Run(Info.Path, CompleteBlocks, checkedAll => m_tree.IsHierarchyRead = checkedAll));
         }
 
-        bool Check()
+        bool CompleteBlocks()
         {
             if ((ulong)PointCount != Info.PointsClaimed)
                 Reconcile();

@@ -381,7 +381,7 @@ namespace FastPoints.Sources
 
     internal struct EptEntry
     {
-        public const long PageCount = -1;
+        public const long PointCountOfPage = -1;
         public const int MaxLevel = 30; // The cells of deeper nodes do not fit into an int.
 
         // -1 if the key is invalid.
@@ -390,7 +390,7 @@ namespace FastPoints.Sources
         public long Points;
         public int At;
 
-        public bool IsPage => Points == PageCount;
+        public bool IsPage => Points == PointCountOfPage;
         public bool HasKey => Level >= 0 && Level <= MaxLevel && math.all(Cell >= 0) && math.all(Cell < 1 << Level);
         public int4 Key => new int4(Cell.x, Cell.y, Cell.z, Level);
         public string Name => NameOf(Level, Cell);

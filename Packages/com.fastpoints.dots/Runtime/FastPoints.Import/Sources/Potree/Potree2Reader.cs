@@ -117,7 +117,7 @@ namespace FastPoints.Sources
             while (m_nodesOfPage.Count > 0 || BeginPage(node, levels))
             {
                 if (HasRecord && !IsRecordRead)
-                    yield return JobStep.Of(PoolTask.Run(m_hierarchyPath, ReaderOf(m_recordOffset), ParseRecords));
+                    yield return JobStep.Of(PoolTask.Run(m_hierarchyPath, ReaderOf(m_recordOffset), KeepRecords));
                 for (; m_nodesOfPage.Count > 0 && HasRecord && IsRecordRead && done < StepRecords; done++)
                     ReadRecord();
                 if (m_nodesOfPage.Count == 0 || !HasRecord)
@@ -155,7 +155,7 @@ namespace FastPoints.Sources
             };
         }
 
-        void ParseRecords(ByteReader records)
+        void KeepRecords(ByteReader records)
         {
             m_records = records;
             // The file is shorter than it was at opening.

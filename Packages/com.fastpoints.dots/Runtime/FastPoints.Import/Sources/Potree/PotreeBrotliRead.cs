@@ -198,10 +198,9 @@ namespace FastPoints.Sources
         // are one step too high compared with encoding DEFAULT, so one is subtracted.
         void DecodePositions(ulong* codes, byte* columns)
         {
-            int* x = (int*)(columns + Special.Position.x) + First;
-            int* y = (int*)(columns + Special.Position.y) + First;
-            int* z = (int*)(columns + Special.Position.z) + First;
-            bool wantsX = Special.Position.x >= 0, wantsY = Special.Position.y >= 0, wantsZ = Special.Position.z >= 0;
+            var at = Special.PositionOffsets;
+            int* x = (int*)(columns + at.x) + First, y = (int*)(columns + at.y) + First, z = (int*)(columns + at.z) + First;
+            bool wantsX = at.x >= 0, wantsY = at.y >= 0, wantsZ = at.z >= 0;
             for (int i = 0; i < Count; i++)
             {
                 Morton.Decode(codes[2 * i], out uint upperX, out uint upperY, out uint upperZ);
@@ -238,15 +237,15 @@ namespace FastPoints.Sources
     // Columns that are more than a copy; -1 for unwanted ones. Blittable.
     unsafe struct PotreeSpecialColumns
     {
-        public int3 Position; // First byte of X, Y, Z in the batch.
-        public int3 Normal; // First byte of NormalX, NormalY, NormalZ in the batch, if they are packed in two bytes.
+        public int3 PositionOffsets; // First byte of X, Y, Z in the batch.
+        public int3 NormalOffsets; // First byte of NormalX, NormalY, NormalZ in the batch, if they are packed in two bytes.
 
         public int NormalRecordByte;
         public bool IsOctahedral;
 
         public static PotreeSpecialColumns Of(PotreeLayout layout, PointBatch batch)
         {
-            var special = new PotreeSpecialColumns { Position = -1, Normal = -1 };
+            var special = new PotreeSpecialColumns { PositionOffsets = -1, NormalOffsets = -1 };
             foreach (var attribute in layout.Attributes)
             {
                 bool isPosition = attribute == layout.Position;
@@ -256,7 +255,7 @@ namespace FastPoints.Sources
                 {
                     int index = batch.Schema.IndexOf(attribute.Columns[axis].Name);
                     if (index >= 0 && isPosition)
-                        special.Position[axis] = batch.Column(index).OffsetBytes;
+                        special.PositionOffsets[axis] = batch.Column(index).OffsetBytes;
                     else if (index >= 0)
                         special.TakeNormal(attribute, axis, batch.Column(index).OffsetBytes);
                 }
@@ -266,7 +265,7 @@ namespace FastPoints.Sources
 
         void TakeNormal(PotreeAttribute attribute, int axis, int column)
         {
-            Normal[axis] = column;
+            NormalOffsets[axis] = column;
             NormalRecordByte = attribute.RecordOffset;
             IsOctahedral = attribute.Kind == PotreeAttributeKind.OctahedralNormal;
         }
@@ -278,8 +277,8 @@ namespace FastPoints.Sources
                 var normal = IsOctahedral
                     ? PotreeNormals.FromOctahedron(from[0], from[1]) : PotreeNormals.FromSphereMap(from[0], from[1]);
                 for (int axis = 0; axis < 3; axis++)
-                    if (Normal[axis] >= 0)
-                        ((float*)(columns + Normal[axis]))[first + i] = normal[axis];
+                    if (NormalOffsets[axis] >= 0)
+                        ((float*)(columns + NormalOffsets[axis]))[first + i] = normal[axis];
             }
         }
     }

@@ -78,9 +78,9 @@ namespace FastPoints.Sources
             PointRecords.ToColumns(records, RecordBytes, Count, Copies, columns, First);
             var result = First == 0 ? default : Result.Value;
             for (int axis = 0; axis < 3; axis++)
-                if (Special.Position[axis] >= 0 && Shift[axis] != 0)
-                    result.Error |= Move((int*)(columns + Special.Position[axis]) + First, Count, Shift[axis]);
-            if (math.any(Special.Normal >= 0))
+                if (Special.PositionOffsets[axis] >= 0 && Shift[axis] != 0)
+                    result.Error |= Move((int*)(columns + Special.PositionOffsets[axis]) + First, Count, Shift[axis]);
+            if (math.any(Special.NormalOffsets >= 0))
                 Special.DecodeNormals(records + Special.NormalRecordByte, RecordBytes, Count, columns, First);
             result.Points = First + Count;
             Result.Value = result;

@@ -137,7 +137,7 @@ namespace FastPoints.Sources
             return new CloudFacts
             {
                 Stage = stage,
-                BoundsGeo = info.BoundsTrusted.IsEmpty ? seen : info.BoundsTrusted,
+                BoundsGeo = info.BoundsIfFinite.IsEmpty ? seen : info.BoundsIfFinite,
                 Units = info.Crs.Units,
                 Ranges = ranges,
             };

@@ -56,9 +56,9 @@ namespace FastPoints.Sources
                     "less than 2^60 steps", math.cmax(steps));
             var corner = new Grid3((long)first.x, (long)first.y, (long)first.z);
             Root = new GridCube(corner, math.max(1, BitsFor(math.cmax(steps))));
-            IsWide = choice.Records.IsWide && math.cmax(steps) * 1.5 >= uint.MaxValue;
+            IsWide = choice.RecordLayout.IsWide && math.cmax(steps) * 1.5 >= uint.MaxValue;
             long margin = Root.Side / 4;
-            Corner = choice.Records.IsWide ? corner - new Grid3(margin, margin, margin) : choice.Records.Base;
+            Corner = choice.RecordLayout.IsWide ? corner - new Grid3(margin, margin, margin) : choice.RecordLayout.Base;
         }
 
         public NodeCubes Cubes => new NodeCubes { Corner = CubeMin - Grid.ToGeo(Root.Corner), Size = CubeSize };

@@ -86,7 +86,7 @@ namespace FastPoints.Sources
             RegisterPage(0, pages[0], default);
         }
 
-        public override string PathOf(int page) => Path;
+        public override string PlanesPathOf(int page) => Path;
 
         internal override FilePiece TableOf(int page) => new FilePiece { Path = Path };
 
@@ -108,7 +108,7 @@ namespace FastPoints.Sources
 
         public override JobHandle Reading => m_pages.Step;
 
-        public override NodeTranscoder RentTranscoder(int points)
+        public override NodeTranscoder TryRentTranscoder(int points)
         {
             int busy = m_transcoders.Count - m_idle.Count;
             if (busy == MaxTranscoders || busy >= MinBusyTranscoders && m_pointsInFlight + points > m_maxPoints)

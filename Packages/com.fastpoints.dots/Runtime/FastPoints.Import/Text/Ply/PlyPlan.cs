@@ -89,7 +89,7 @@ namespace FastPoints.Text
                         byte* text = p;
                         if (!AsciiNumber.TryInteger(ref p, out ulong magnitude, out bool isNegative, out bool isExact))
                             return PlyError.BadNumber;
-                        bool fits = AsciiLines.StoreInteger(column, row, step->Type, step->Bytes, magnitude, isNegative);
+                        bool fits = AsciiLines.StoreClamped(column, row, step->Type, step->Bytes, magnitude, isNegative);
                         if (!fits || !isExact)
                         {
                             if (anomalies.Inexact++ == 0)

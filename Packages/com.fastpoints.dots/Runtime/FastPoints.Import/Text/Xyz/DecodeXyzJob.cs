@@ -98,7 +98,7 @@ namespace FastPoints.Text
                         return XyzError.TooFewValues;
                     if (step->Kind != XyzStepKind.Skip && step->Kind != XyzStepKind.Check)
                     {
-                        AsciiLines.StoreInteger(column, row, step->Type, step->Bytes, 0, false);
+                        AsciiLines.StoreClamped(column, row, step->Type, step->Bytes, 0, false);
                         if (anomalies.EmptyValues++ == 0)
                             anomalies.FirstEmpty = Range.Offset + (text - input);
                     }
@@ -127,7 +127,7 @@ namespace FastPoints.Text
                     case XyzStepKind.Integer:
                         if (!AsciiNumber.TryInteger(ref p, out ulong magnitude, out bool isNegative, out bool isExact))
                             return XyzError.NoNumber;
-                        bool fits = AsciiLines.StoreInteger(column, row, step->Type, step->Bytes, magnitude, isNegative);
+                        bool fits = AsciiLines.StoreClamped(column, row, step->Type, step->Bytes, magnitude, isNegative);
                         if (!(fits && isExact) && anomalies.Inexact++ == 0)
                             anomalies.FirstInexact = Range.Offset + (text - input);
                         break;

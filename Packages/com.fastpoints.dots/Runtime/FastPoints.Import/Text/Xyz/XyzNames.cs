@@ -121,9 +121,9 @@ namespace FastPoints.Text
         public static bool AreDegrees(IReadOnlyList<string> given) =>
             (Has(given, "lat") || Has(given, "latitude")) && (Has(given, "lon") || Has(given, "longitude"));
 
-        // x y z, and then by count and values: intensity, colour, normals, or columns without a name. unitLength: for each
+        // x y z, and then by count and values: intensity, colour, normals, or columns without a name. unitVectorShares: for each
         // column, the share of sampled rows that have a vector of length 1 from there on.
-        public static string[] Guess(XyzColumn[] columns, double[] unitLength)
+        public static string[] Guess(XyzColumn[] columns, double[] unitVectorShares)
         {
             int count = columns.Length;
             var names = new string[count];
@@ -134,12 +134,12 @@ namespace FastPoints.Text
             for (int i = 3; i < count;)
             {
                 int left = count - i;
-                bool isNormal = !hasNormal && IsNormal(columns, unitLength, i);
+                bool isNormal = !hasNormal && IsNormal(columns, unitVectorShares, i);
                 bool isColor = !hasColor && IsColor(columns, i);
                 // With four columns, the first is the intensity (PTS) if the other three fit, unless the last is an opacity.
                 bool hasAlpha = left == 4 && isColor && columns[i + 3].IsWithin(byte.MaxValue, byte.MaxValue);
                 bool intensityFirst = !hasIntensity && left % 3 == 1 && !hasAlpha &&
-                    (!hasColor && IsColor(columns, i + 1) || !hasNormal && IsNormal(columns, unitLength, i + 1));
+                    (!hasColor && IsColor(columns, i + 1) || !hasNormal && IsNormal(columns, unitVectorShares, i + 1));
                 if (!intensityFirst && (isNormal || isColor))
                 {
                     Array.Copy(isNormal ? s_normal : s_rgb, 0, names, i, 3);
@@ -165,8 +165,8 @@ namespace FastPoints.Text
             return false;
         }
 
-        static bool IsNormal(XyzColumn[] columns, double[] unitLength, int at) => at + 3 <= columns.Length &&
-            unitLength[at] > 0.9 && !(columns[at].IsPrintedAsInteger && columns[at + 1].IsPrintedAsInteger &&
+        static bool IsNormal(XyzColumn[] columns, double[] unitVectorShares, int at) => at + 3 <= columns.Length &&
+            unitVectorShares[at] > 0.9 && !(columns[at].IsPrintedAsInteger && columns[at + 1].IsPrintedAsInteger &&
             columns[at + 2].IsPrintedAsInteger);
 
         // Whole numbers of 8 or 16 bits, or shares of 1.

@@ -48,7 +48,7 @@ namespace FastPoints.Text
             if (given != null && given.Length > columns)
                 throw PointCloudException.Wanted(FailureCode.BadInput, source.Path, sniff.DataOffset, "columns in a line",
                     given.Length + " (" + string.Join(", ", given) + ")", columns);
-            string[] names = given != null ? XyzNames.Of(given, columns) : XyzNames.Guess(sniff.Columns, sniff.UnitLength);
+            string[] names = given != null ? XyzNames.Of(given, columns) : XyzNames.Guess(sniff.Columns, sniff.UnitVectorShares);
             if (!XyzNames.HavePosition(names))
                 throw PointCloudException.Wanted(FailureCode.Unsupported, source.Path, 0, "columns of the text",
                     "x, y and z among them (name them to override)", string.Join(", ", given ?? names));

@@ -40,7 +40,7 @@ namespace FastPoints.Text
         public XyzColumn[] Columns { get; private set; }
 
         // For each column, the share of rows that have a vector of length 1 from there on.
-        public double[] UnitLength { get; private set; }
+        public double[] UnitVectorShares { get; private set; }
 
         public int Rows { get; private set; }
 
@@ -57,8 +57,8 @@ namespace FastPoints.Text
             if (lines.Count == 0 || !sniff.ChooseDialect(head, lines) || !sniff.ReadHead(head, lines))
                 return null;
             sniff.ReadSegments();
-            for (int i = 0; i < sniff.UnitLength.Length; i++)
-                sniff.UnitLength[i] = sniff.m_unitVectors[i] / (double)Math.Max(1, sniff.Rows);
+            for (int i = 0; i < sniff.UnitVectorShares.Length; i++)
+                sniff.UnitVectorShares[i] = sniff.m_unitVectors[i] / (double)Math.Max(1, sniff.Rows);
             return sniff;
         }
 
@@ -192,7 +192,7 @@ namespace FastPoints.Text
             Columns = new XyzColumn[columns];
             for (int i = 0; i < columns; i++)
                 Columns[i] = XyzColumn.Empty;
-            UnitLength = new double[columns];
+            UnitVectorShares = new double[columns];
             m_unitVectors = new int[columns];
             int all = 0;
             for (; at < lines.Count; at++)

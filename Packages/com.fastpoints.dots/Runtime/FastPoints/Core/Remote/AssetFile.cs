@@ -32,19 +32,19 @@ namespace FastPoints
         public override bool HasVersion => true;
         public override double RoundTrip => 0;
 
-        public override void DropHead() { }
+        public override void DropOpened() { }
         public override void MarkStale() { }
         public override void DropCached() { }
 
         protected override bool TryReadHead(long offset, Span<byte> into) => false;
 
-        protected override void Find(RemoteRead read)
+        protected override void FindBytes(RemoteRead read)
         {
             var pieces = new List<RangePiece>();
             for (int part = 0; part < read.PartCount; part++)
                 for (long at = 0, size = read.PartAt(part).Size; at < size; at += RangeQueue.MaxRequestBytes)
                     pieces.Add(new RangePiece(part, at, (int)Math.Min(RangeQueue.MaxRequestBytes, size - at)));
-            RangeQueue.Of(SourcePath.Assets).Add(read, pieces);
+            RangeQueue.Of(SourcePath.StreamingAssetsPrefix).Add(read, pieces);
         }
 
         public override async Task Fetch(long offset, long count, byte[] into, Func<int, bool> arrived)

@@ -45,7 +45,7 @@ namespace FastPoints
         public override double RoundTrip => m_queue.RoundTrip;
 
         // Forgets the file, too: a cloud may have as many as nodes.
-        public override void DropHead()
+        public override void DropOpened()
         {
             m_head = null;
             lock (s_opened)
@@ -55,7 +55,7 @@ namespace FastPoints
 
         public override void MarkStale() => Interlocked.Exchange(ref m_confirmed, long.MinValue / 2);
 
-        public override void DropCached() => RangeCache.Current?.Drop(m_key);
+        public override void DropCached() => RangeCache.Current?.ForgetEntries(m_key);
 
         public override async Task Fetch(long offset, long count, byte[] into, Func<int, bool> arrived)
         {
@@ -95,10 +95,10 @@ namespace FastPoints
         bool IsConfirmed => (Stopwatch.GetTimestamp() - Interlocked.Read(ref m_confirmed)) * 1000.0 / Stopwatch.Frequency <
             RemoteSettings.Current.ConfirmedMs;
 
-        protected override void Find(RemoteRead read) => Task.Run(() => FindNear(read));
+        protected override void FindBytes(RemoteRead read) => Task.Run(() => FindCachedBytes(read));
 
         // What is on this machine is taken from there; the rest is asked for.
-        void FindNear(RemoteRead read)
+        void FindCachedBytes(RemoteRead read)
         {
             try
             {
@@ -204,12 +204,12 @@ namespace FastPoints
 
         static RemoteIdentity FindIdentity(RangeCache cache, string key)
         {
-            byte[] text = cache?.Find(FileVersionKey.Of(key));
+            byte[] text = cache?.ReadLastRange(FileVersionKey.Of(key));
             return text == null ? null : RemoteIdentity.Parse(Encoding.UTF8.GetString(text));
         }
 
-        // Retries transient failures. isSpare: a cached copy can be used instead, so an unreachable server is not retried.
-        static async Task<T> Retry<T>(RemoteTarget target, bool isSpare, Func<Task<T>> attempt)
+        // Retries transient failures. hasCachedCopy: it is used instead, so an unreachable server is not retried.
+        static async Task<T> Retry<T>(RemoteTarget target, bool hasCachedCopy, Func<Task<T>> attempt)
         {
             var settings = RemoteSettings.Current;
             bool isSigned = false;
@@ -230,7 +230,7 @@ namespace FastPoints
                         target.Signed(true);
                         continue;
                     }
-                    if (isSpare && e.IsUnreachable)
+                    if (hasCachedCopy && e.IsUnreachable)
                         throw;
                     if (!e.CanRetry || tries >= settings.MaxTries)
                         throw e.ToFailure();

@@ -122,17 +122,16 @@ namespace FastPoints
             }
         }
 
-        public byte[] Find(FileVersionKey key)
+        public byte[] ReadLastRange(FileVersionKey key)
         {
             lock (m_lock)
             {
-                var bytes = new byte[LengthOf(key)];
+                var bytes = new byte[LastRangeLength(key)];
                 return bytes.Length > 0 && TryRead(key, m_entries[key][m_entries[key].Count - 1].Offset, bytes) ? bytes : null;
             }
         }
 
-        // Of the last range; 0 if there is none.
-        public int LengthOf(FileVersionKey key)
+        public int LastRangeLength(FileVersionKey key)
         {
             lock (m_lock)
                 return m_entries.TryGetValue(key, out var entries) && entries.Count > 0 ? entries[entries.Count - 1].Length : 0;
@@ -198,7 +197,7 @@ namespace FastPoints
             }
         }
 
-        public void Drop(FileVersionKey key)
+        public void ForgetEntries(FileVersionKey key)
         {
             lock (m_lock)
                 m_entries.Remove(key);

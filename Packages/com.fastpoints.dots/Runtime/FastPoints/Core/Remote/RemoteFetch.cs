@@ -40,7 +40,7 @@ namespace FastPoints
                     Begin(fetch);
                 else
                     fetch.Opening = PoolTask.Begin(SourcePath.WithoutQuery(piece.Path),
-                        () => RemoteFile.Open(piece.Path, HeadBytesFor(piece)), file => file.DropHead());
+                        () => RemoteFile.Open(piece.Path, HeadBytesFor(piece)), file => file.DropOpened());
             }
         }
 
@@ -147,7 +147,7 @@ namespace FastPoints
             {
                 // There may be as many files as nodes.
                 if (fetch.IsOpenedHere)
-                    fetch.File.DropHead();
+                    fetch.File.DropOpened();
                 fetch.Opening?.Dispose();
                 fetch.Read?.Dispose();
             }

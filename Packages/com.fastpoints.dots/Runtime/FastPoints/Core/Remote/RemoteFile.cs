@@ -37,7 +37,7 @@ namespace FastPoints
         public static RemoteFile Open(string address, int headBytes = HeadBytes) => FilesFor(address).Open(address, headBytes);
 
         // The one that was opened last, or null.
-        public static RemoteFile Find(string address) => (SourcePath.IsAsset(address) ? Assets : Files)?.Find(address);
+        public static RemoteFile Find(string address) => (SourcePath.IsStreamingAsset(address) ? Assets : Files)?.Find(address);
 
         // A file that another describes, so that nothing is asked before its first range: its length, and a text that is another
         // for other content. Any thread; it does not wait.
@@ -45,7 +45,7 @@ namespace FastPoints
             FilesFor(address).Of(address, length, version);
 
         // Frees what came with opening it.
-        public abstract void DropHead();
+        public abstract void DropOpened();
 
         // The next Open asks the server.
         public abstract void MarkStale();
@@ -76,7 +76,7 @@ namespace FastPoints
         public abstract Task Fetch(long offset, long count, byte[] into, Func<int, bool> arrived);
 
         // Finds its bytes, each within the file.
-        protected abstract void Find(RemoteRead read);
+        protected abstract void FindBytes(RemoteRead read);
 
         RemoteRead Begin(RemoteRead read)
         {
@@ -90,13 +90,13 @@ namespace FastPoints
                     command.Size, Math.Max(0, Length - command.Offset) + " before the end of the file"));
             }
             if (!read.IsDone)
-                Find(read);
+                FindBytes(read);
             return read;
         }
 
         protected abstract bool TryReadHead(long offset, Span<byte> into);
 
-        static IRemoteFiles FilesFor(string address) => (SourcePath.IsAsset(address) ? Assets : Files) ??
+        static IRemoteFiles FilesFor(string address) => (SourcePath.IsStreamingAsset(address) ? Assets : Files) ??
             throw new PointCloudException(FailureCode.Unsupported, SourcePath.WithoutQuery(address), -1,
                 "this program reads no such addresses");
     }

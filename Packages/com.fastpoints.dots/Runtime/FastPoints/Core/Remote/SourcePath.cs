@@ -7,12 +7,13 @@ namespace FastPoints
     // address's question mark, such as a signature, goes with its siblings.
     internal static class SourcePath
     {
-        public const string Assets = "jar:file://"; // As Android's streaming assets begin.
+        public const string StreamingAssetsPrefix = "jar:file://"; // As Android's streaming assets begin.
 
-        public static bool IsAsset(string path) => path != null && path.StartsWith(Assets, StringComparison.Ordinal);
+        public static bool IsStreamingAsset(string path) =>
+            path != null && path.StartsWith(StreamingAssetsPrefix, StringComparison.Ordinal);
 
         public static bool IsRemote(string path) => path != null &&
-            (IsAsset(path) || path.StartsWith("https://", StringComparison.OrdinalIgnoreCase) ||
+            (IsStreamingAsset(path) || path.StartsWith("https://", StringComparison.OrdinalIgnoreCase) ||
              path.StartsWith("http://", StringComparison.OrdinalIgnoreCase));
 
         public static string Full(string path) => IsRemote(path) ? path : Path.GetFullPath(path);
@@ -23,7 +24,7 @@ namespace FastPoints
                 return Path.Combine(folder, name);
             Split(folder, out string address, out string query);
             return address.TrimEnd('/') + "/" +
-                (IsAsset(folder) ? name : Uri.EscapeDataString(name).Replace("%2F", "/")) + query;
+                (IsStreamingAsset(folder) ? name : Uri.EscapeDataString(name).Replace("%2F", "/")) + query;
         }
 
         // Of a file or a folder.
@@ -44,7 +45,7 @@ namespace FastPoints
             Split(path, out string address, out _);
             address = address.TrimEnd('/');
             string name = address.Substring(address.LastIndexOf('/') + 1);
-            return IsAsset(path) ? name : Uri.UnescapeDataString(name);
+            return IsStreamingAsset(path) ? name : Uri.UnescapeDataString(name);
         }
 
         // For messages and keys: signatures and tokens are never shown or stored.
@@ -58,7 +59,7 @@ namespace FastPoints
 
         static void Split(string path, out string address, out string query)
         {
-            int at = IsAsset(path) ? -1 : path.IndexOfAny(s_ends);
+            int at = IsStreamingAsset(path) ? -1 : path.IndexOfAny(s_ends);
             address = at < 0 ? path : path.Substring(0, at);
             query = at < 0 ? "" : path.Substring(at);
         }

@@ -69,7 +69,7 @@ namespace FastPoints
 
         public long NonNegative(string name, long max = long.MaxValue) => Read(name, v => InRange(v, 0, max));
 
-        public ulong Hex(string name) => Read(name, JsonReader.ToHex);
+        public ulong Hex(string name) => Read(name, JsonReader.FromHex);
 
         // NaN for null: JSON has no word for it.
         public double NumberOrNaN(string name) => Read(name, v => v == null ? double.NaN : JsonReader.ToDouble(v));

@@ -45,7 +45,7 @@ namespace FastPoints
                 ? result
                 : throw new FormatException("wanted a number, got " + Describe(value));
 
-        public static ulong ToHex(object value) =>
+        public static ulong FromHex(object value) =>
             value is string text && text.Length == 16 &&
             ulong.TryParse(text, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out ulong result)
                 ? result

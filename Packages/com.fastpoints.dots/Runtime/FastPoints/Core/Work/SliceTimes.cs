@@ -25,7 +25,7 @@ namespace FastPoints
             m_runsOfBucket[(int)math.clamp(nanoseconds / NanosecondsPerBucket, 0, Buckets - 1)]++;
         }
 
-        public void Add(SliceTimes other)
+        public void TakeFrom(SliceTimes other)
         {
             var from = other.m_runsOfBucket;
             for (int i = 0; i < Buckets; i++)

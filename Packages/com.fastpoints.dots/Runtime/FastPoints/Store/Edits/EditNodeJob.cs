@@ -38,7 +38,7 @@ namespace FastPoints.Store
         public ulong Low;
         public ulong High;
 
-        public static PointMask Of(int points) => new PointMask
+        public static PointMask OfFirstPoints(int points) => new PointMask
         {
             Low = points >= 64 ? ulong.MaxValue : (1ul << points) - 1,
             High = points >= 128 ? ulong.MaxValue : points <= 64 ? 0 : (1ul << points - 64) - 1,
@@ -66,7 +66,7 @@ namespace FastPoints.Store
     {
         public PointMask Deleted;
         public PointMask Hidden;
-        public bool HasValues;
+        public bool HasChangedValues;
     }
 
     // Applies operations in their order to some blocks of a node. What a block's bounds decide needs no look at its points; of
@@ -96,7 +96,7 @@ namespace FastPoints.Store
         public NativeArray<int> Near;
 
         // By block, by block and point, by operation.
-        public NativeArray<EditedBlock> Points;
+        public NativeArray<EditedBlock> EditedBlocks;
         public NativeArray<byte> Values;
         public NativeArray<long> Changed;
 
@@ -127,7 +127,7 @@ namespace FastPoints.Store
                 var state = new State { Block = b, Memory = new FilterMemory { Results = results, Left = left, Right = right } };
                 if (isValid)
                     Run(ref state);
-                Points[b] = state.Edited;
+                EditedBlocks[b] = state.Edited;
             }
         }
 
@@ -145,7 +145,7 @@ namespace FastPoints.Store
             for (int s = 0; s < Steps.Length; s++)
             {
                 var step = Steps[s];
-                state.Chosen = PointMask.Of(state.Points).Without(state.Edited.Deleted);
+                state.Chosen = PointMask.OfFirstPoints(state.Points).Without(state.Edited.Deleted);
                 if (step.BoxCount > 0)
                     FilterByShapes(step.FirstShape, step.BoxCount, ref state);
                 if (step.BallCount > 0)
@@ -157,7 +157,7 @@ namespace FastPoints.Store
                 if (!state.Chosen.IsEmpty)
                     Changed[s] += Apply(step, ref state);
             }
-            if (state.Edited.HasValues)
+            if (state.Edited.HasChangedValues)
                 KeepValues(state);
         }
 
@@ -251,7 +251,7 @@ namespace FastPoints.Store
                     ColumnValues.Put(BlockBytes + column.OffsetBytes, column.Type, i, step.Values[c]);
                 }
                 changed += isChanged ? 1 : 0;
-                edited.HasValues |= isChanged;
+                edited.HasChangedValues |= isChanged;
             }
             return changed;
         }
@@ -273,7 +273,7 @@ namespace FastPoints.Store
             for (int c = 0; c < Columns.Length && !state.HasValues; c++)
             {
                 var column = Columns[c];
-                new PlaneValues { View = ViewOf(column.Plane), Column = column.Column, Stored = column.Stored }
+                new ColumnUnpacker { View = ViewOf(column.Plane), Column = column.Column, Stored = column.Stored }
                     .Unpack(state.Block, 0, state.Points, BlockBytes + column.Block.OffsetBytes);
             }
             state.HasValues = true;

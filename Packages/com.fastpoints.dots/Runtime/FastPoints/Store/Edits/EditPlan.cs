@@ -233,14 +233,14 @@ namespace FastPoints.Store
                 Axes = Array(new[] { m_block.Column(0), m_block.Column(1), m_block.Column(2) }),
                 Block = m_block.Bytes,
                 Near = Array(new int[Math.Max(shapes.Count, edges.Count)]),
-                Points = Array(new EditedBlock[maxBlocks]),
+                EditedBlocks = Array(new EditedBlock[maxBlocks]),
                 Values = Values.Bytes,
                 Changed = Array(new long[steps.Count]),
             };
         }
 
         // By block, when the jobs are complete: its points as they are after the operations.
-        public NativeArray<EditedBlock> Points => m_job.Points;
+        public NativeArray<EditedBlock> EditedBlocks => m_job.EditedBlocks;
 
         // By block and point: the attributes that operations change. Undefined for blocks of which none did.
         public PointBatch Values { get; }
@@ -283,7 +283,7 @@ namespace FastPoints.Store
             m_job.Columns.Dispose();
             m_job.Axes.Dispose();
             m_job.Near.Dispose();
-            m_job.Points.Dispose();
+            m_job.EditedBlocks.Dispose();
             m_job.Changed.Dispose();
             m_job = default;
         }

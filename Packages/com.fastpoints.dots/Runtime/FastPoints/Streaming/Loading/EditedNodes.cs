@@ -69,7 +69,7 @@ namespace FastPoints.Streaming
         }
 
         public string PathOf(in EditedNode node, bool isComputed) =>
-            isComputed ? m_folder.PathOfComputed(node.Page) : m_folder.PathOf(node.Page);
+            isComputed ? m_folder.PathOfComputed(node.Page) : m_folder.PlanesPathOf(node.Page);
 
         // A page that was built from a table; perhaps not for the first time.
         public unsafe void Register(int page, in HierarchyPage built, in PageView table)

@@ -225,7 +225,7 @@ namespace FastPoints.Streaming
                     Place = m_places[p],
                     Shape = m_shapes[p],
                     BlockCount = m_node.BlockCount,
-                    Edited = m_slot.Points,
+                    Edited = m_slot.EditedBlocks,
                     Values = m_slot.Values.Bytes,
                     Column0 = m_columns[p * PlaneShape.MaxColumns],
                     Column1 = m_columns[p * PlaneShape.MaxColumns + 1],
@@ -321,7 +321,7 @@ namespace FastPoints.Streaming
                 if (left.IsEmpty)
                     continue;
                 state.Block++;
-                if (left.Count == from.PointsOf(b) && !(isChanged && Edited[b].HasValues))
+                if (left.Count == from.PointsOf(b) && !(isChanged && Edited[b].HasChangedValues))
                 {
                     writer.Copy(from, b);
                     continue;
@@ -340,7 +340,7 @@ namespace FastPoints.Streaming
         }
 
         PointMask LeftOf(in PlaneView from, int block) =>
-            PointMask.Of(from.PointsOf(block)).Without(Edited[block].Deleted.With(Edited[block].Hidden));
+            PointMask.OfFirstPoints(from.PointsOf(block)).Without(Edited[block].Deleted.With(Edited[block].Hidden));
 
         void Begin(in PlaneView from, ref RepackState state)
         {
@@ -364,7 +364,7 @@ namespace FastPoints.Streaming
                 from.UnpackWide(block, c, wide);
             else
                 from.Unpack(block, c, narrow);
-            if (column.IsChanged && Edited[block].HasValues)
+            if (column.IsChanged && Edited[block].HasChangedValues)
                 for (int i = 0; i < points; i++)
                     narrow[i] = (uint)OrderedBits.Load(column.From.At((byte*)Values.GetUnsafeReadOnlyPtr(),
                         block * PlaneShape.MaxPointsPerBlock + i), column.From.Type) / (uint)column.Divisor;

@@ -112,10 +112,10 @@ namespace FastPoints.Streaming
                 bool isHole = page->IsHole(node.Node);
                 bool isComplete = slot != NodeState.NoSlot && Nodes[slot].Phase == CachePhase.Resident;
                 totals.IsAll &= isHole || isComplete;
-                bool isShown = parent != StreamContext.NotShown && (isHole || isComplete);
+                bool isShown = parent != StreamContext.NotLoaded && (isHole || isComplete);
                 if (!isShown || isHole || Nodes[slot].IsHidden)
                 {
-                    DrawnOfSelected.Add(isShown ? StreamContext.NotDrawn : StreamContext.NotShown);
+                    DrawnOfSelected.Add(isShown ? StreamContext.NotDrawn : StreamContext.NotLoaded);
                     continue;
                 }
                 DrawnOfSelected.Add(Drawn.Length);

@@ -42,7 +42,7 @@ namespace FastPoints.Streaming
         public int FirstWaiting { get; set; }
         public bool IsBeingCopied { get; set; }
 
-        public FetchRead Failed => m_main.HasFailed ? m_main : m_computed; // Of the file whose read has not ended well.
+        public FetchRead ReadToReport => m_main.HasFailed ? m_main : m_computed; // The one that failed, if one did.
 
         public NativeArray<FetchedNode> Nodes => m_nodes.AsArray();
 
@@ -103,7 +103,7 @@ namespace FastPoints.Streaming
         public void ReadNodes(int gapBytes, int rank)
         {
             var source = Cloud.Source;
-            var remote = source.RemoteOf(Page);
+            var remote = source.PlanesRemoteOf(Page);
             if (remote != null)
                 gapBytes = 0;
             SortParts();
@@ -116,7 +116,7 @@ namespace FastPoints.Streaming
                 m_offsets[part.Node * source.Planes.Length + part.Plane] = total - part.LengthBytes;
             }
             Reserve(total);
-            byte* to = m_main.Begin(Cloud, source.PathOf(Page), remote, rank, (byte*)m_bytes.GetUnsafePtr());
+            byte* to = m_main.Begin(Cloud, source.PlanesPathOf(Page), remote, rank, (byte*)m_bytes.GetUnsafePtr());
             if (m_parts[m_parts.Length - 1].IsComputed)
                 m_computed.Begin(Cloud, source.PathOfComputed(Page), source.RemoteOfComputed(Page), rank, to);
             Phase = FetchPhase.Reading;
@@ -145,7 +145,7 @@ namespace FastPoints.Streaming
         {
             bytes = m_readBytes;
             bool hasEnded = m_main.HasEnded() & m_computed.HasEnded();
-            status = Failed.Status;
+            status = ReadToReport.Status;
             if (hasEnded)
                 Phase = FetchPhase.Arrived;
             return hasEnded;
@@ -188,7 +188,7 @@ namespace FastPoints.Streaming
 
         public string Describe(TableProblem problem) => Cloud.Source.Describe(Page, Table, problem);
 
-        public void AddChildren(int index, byte* to, int upload, NativeList<UploadPart> parts)
+        public void AddUploadParts(int index, byte* to, int upload, NativeList<UploadPart> parts)
         {
             int node = m_nodes[index].Node;
             byte* transcoded = m_transcoder != null ? (byte*)m_transcoder.Planes.GetUnsafeReadOnlyPtr() : null;
@@ -358,8 +358,7 @@ namespace FastPoints.Streaming
 
         public string Path { get; private set; }
 
-        // Of the last read of a remote file.
-        public PointCloudException Failure { get; private set; }
+        public PointCloudException RemoteFailure { get; private set; }
 
         public bool HasFailed => m_status != ReadStatus.Complete;
 
@@ -368,7 +367,7 @@ namespace FastPoints.Streaming
         public void Clear()
         {
             m_commands.Clear();
-            (Path, Failure, m_status) = (null, null, ReadStatus.Complete);
+            (Path, RemoteFailure, m_status) = (null, null, ReadStatus.Complete);
         }
 
         // Of pieces in the order of their offsets. Those that are no farther apart than the gap are read as one. Returns the
@@ -429,8 +428,9 @@ namespace FastPoints.Streaming
                 return false;
             if (m_remote != null)
             {
-                Failure = m_remote.Failure;
-                m_status = m_remote.IsCancelled ? ReadStatus.Canceled : Failure != null ? ReadStatus.Failed : ReadStatus.Complete;
+                RemoteFailure = m_remote.Failure;
+                m_status = m_remote.IsCancelled ? ReadStatus.Canceled : RemoteFailure != null ? ReadStatus.Failed
+                    : ReadStatus.Complete;
                 m_remote = null;
             }
             else

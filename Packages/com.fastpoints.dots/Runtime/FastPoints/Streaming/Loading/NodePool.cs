@@ -120,7 +120,7 @@ namespace FastPoints.Streaming
 
         /// <summary>Where the upload's job writes a range, of a multiple of 16 bytes, front to back without reading. Null if
         /// there is no room.</summary>
-        public abstract byte* AddressForUpload(PoolRange range, long bytes);
+        public abstract byte* ReserveForUpload(PoolRange range, long bytes);
 
         /// <summary>Ends the upload after its job is complete: its nodes can be drawn from now on.</summary>
         public virtual void EndUpload() { }
@@ -192,7 +192,7 @@ namespace FastPoints.Streaming
             (byte*)NativeArrayUnsafeUtility.GetUnsafeBufferPointerWithoutChecks(m_memory[range.Bank]) +
             (long)range.FirstPage * PageBytes;
 
-        public override byte* AddressForUpload(PoolRange range, long bytes) => AddressOf(range);
+        public override byte* ReserveForUpload(PoolRange range, long bytes) => AddressOf(range);
 
         protected override void CreateBank(int bank)
         {

@@ -192,7 +192,7 @@ namespace FastPoints.Streaming
                     long size = cloud.BytesOf(node.Page, node.Node);
                     if (bytes > 0 && bytes + size > m_state.Settings.MaxBytesPerRead)
                         break;
-                    hasRoom = m_state.TryAllocate(node, firstRank + node.Parent, size, ref stats, out int slot);
+                    hasRoom = m_state.TryAllocateEvicting(node, firstRank + node.Parent, size, ref stats, out int slot);
                     if (!hasRoom)
                         break;
                     if (bytes == 0)
@@ -214,7 +214,7 @@ namespace FastPoints.Streaming
         // Begins if the source has an idle transcoder. Returns whether the pool had room.
         bool TryBeginTranscoding(NodeFetch fetch, StreamedCloud cloud, SelectedNode node, int firstRank, ref FrameStats stats)
         {
-            var transcoder = cloud.Source.RentTranscoder(cloud.Pages[node.Page].Nodes[node.Node].PointCount);
+            var transcoder = cloud.Source.TryRentTranscoder(cloud.Pages[node.Page].Nodes[node.Node].PointCount);
             if (transcoder == null)
                 return true;
             // The length is only a bound until the node was made once: only then is it known to be too large for any bank.
@@ -229,7 +229,7 @@ namespace FastPoints.Streaming
                 return true;
             }
             bytes = Math.Min(bytes, max);
-            if (!m_state.TryAllocate(node, firstRank + node.Parent, bytes, ref stats, out int slot))
+            if (!m_state.TryAllocateEvicting(node, firstRank + node.Parent, bytes, ref stats, out int slot))
             {
                 cloud.Source.ReturnTranscoder(transcoder);
                 return false;
@@ -257,7 +257,7 @@ namespace FastPoints.Streaming
         {
             if (fetch.IsTable)
             {
-                if (m_state.IsStale(fetch.Cloud.Pages[fetch.Page].VisitedFrame))
+                if (m_state.IsUnwanted(fetch.Cloud.Pages[fetch.Page].VisitedFrame))
                     fetch.Cancel();
                 return;
             }
@@ -266,7 +266,7 @@ namespace FastPoints.Streaming
             {
                 if (!m_state.Cache.IsValid(node.Slot, node.Version))
                     continue;
-                if (m_state.IsStale(m_state.Cache[node.Slot].UsedFrame))
+                if (m_state.IsUnwanted(m_state.Cache[node.Slot].UsedFrame))
                     m_state.Release(node.Slot);
                 else
                     rank = Math.Min(rank, m_state.Cache[node.Slot].Rank);
@@ -287,8 +287,8 @@ namespace FastPoints.Streaming
             if (status != ReadStatus.Complete)
             {
                 var source = fetch.Cloud.Source;
-                string path = fetch.Failed.Path;
-                var failure = fetch.Failed.Failure;
+                string path = fetch.ReadToReport.Path;
+                var failure = fetch.ReadToReport.RemoteFailure;
                 m_state.Files.Close(fetch.Cloud, path);
                 Drop(fetch, page);
                 if (failure != null)
@@ -406,7 +406,7 @@ namespace FastPoints.Streaming
                 var node = fetch.Nodes[fetch.FirstWaiting];
                 if (!m_state.Cache.IsValid(node.Slot, node.Version))
                     continue;
-                if (!m_state.IsStale(m_state.Cache[node.Slot].UsedFrame))
+                if (!m_state.IsUnwanted(m_state.Cache[node.Slot].UsedFrame))
                     return true;
                 m_state.Release(node.Slot);
             }

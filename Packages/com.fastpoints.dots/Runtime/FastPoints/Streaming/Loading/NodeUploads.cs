@@ -52,11 +52,11 @@ namespace FastPoints.Streaming
                     break;
                 if (m_slots.Length == 0 && !m_state.Pool.TryBeginUpload(m_state.Settings.MaxUploadBytesPerFrame))
                     return;
-                byte* to = m_state.Pool.AddressForUpload(m_state.Cache[node.Slot].Range, size);
+                byte* to = m_state.Pool.ReserveForUpload(m_state.Cache[node.Slot].Range, size);
                 if (to == null)
                     break;
                 bytes += size;
-                fetch.AddChildren(fetch.FirstWaiting++, to, m_slots.Length, m_parts);
+                fetch.AddUploadParts(fetch.FirstWaiting++, to, m_slots.Length, m_parts);
                 m_slots.Add(node.Slot);
                 m_state.Cache.SetPhase(node.Slot, CachePhase.Uploading);
                 if (!fetch.IsBeingCopied)

@@ -39,7 +39,7 @@ namespace FastPoints.Streaming
         public bool TryTakeFailure(out StreamFailure failure) => m_failures.TryDequeue(out failure);
 
         // Evicts nodes that are needed less than one of this rank.
-        public bool TryAllocate(SelectedNode node, int rank, long bytes, ref FrameStats stats, out int slot)
+        public bool TryAllocateEvicting(SelectedNode node, int rank, long bytes, ref FrameStats stats, out int slot)
         {
             PoolRange range;
             while (!Pool.TryAllocate(bytes, out range))
@@ -79,7 +79,7 @@ namespace FastPoints.Streaming
             var node = Cache[slot];
             var cloud = Clouds[node.Cloud];
             var source = cloud.Source;
-            string path = source.IsComputed(plane) ? source.PathOfComputed(node.Page) : source.PathOf(node.Page);
+            string path = source.IsComputed(plane) ? source.PathOfComputed(node.Page) : source.PlanesPathOf(node.Page);
             DropDamaged(slot, new StreamFailure(path, cloud.RangeOf(node.Page, node.Node, plane).OffsetBytes,
                 "node " + node.Node + " is damaged"));
         }
@@ -92,7 +92,7 @@ namespace FastPoints.Streaming
             Release(slot);
             cloud.Source.Invalidate(node.Page);
             if (!cloud.Source.TranscodesNodes)
-                Files.Close(cloud, cloud.Source.PathOf(node.Page));
+                Files.Close(cloud, cloud.Source.PlanesPathOf(node.Page));
             if (cloud.Source.PathOfComputed(node.Page) is string computed)
                 Files.Close(cloud, computed);
             if (cloud.IsRemoving || ++state->Failures < Settings.MaxTries)
@@ -101,8 +101,7 @@ namespace FastPoints.Streaming
             Report(failure);
         }
 
-        // Unwanted long enough that its read is cancelled.
-        public bool IsStale(uint usedFrame) => Selector.Frame - usedFrame > (uint)Settings.FramesToCancel;
+        public bool IsUnwanted(uint usedFrame) => Selector.Frame - usedFrame > (uint)Settings.FramesToCancel;
 
         public bool IsDue(uint frame) => (int)(Selector.Frame - frame) >= 0;
 

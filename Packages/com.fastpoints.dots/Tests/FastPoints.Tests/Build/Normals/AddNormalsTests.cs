@@ -365,9 +365,9 @@ namespace FastPoints.Tests.Build
             var all = new List<(double3, ushort)>();
             int page = 0;
             ulong* values = stackalloc ulong[5 * PlaneShape.MaxPointsPerBlock];
-            foreach (var table in folder.LoadAll())
+            foreach (var table in folder.EachTable())
             {
-                byte[] points = File.ReadAllBytes(folder.PathOf(page));
+                byte[] points = File.ReadAllBytes(folder.PlanesPathOf(page));
                 byte[] normals = File.ReadAllBytes(folder.PathOfComputed(page++));
                 fixed (byte* ofPoints = points, ofNormals = normals)
                     for (int n = 0; n < table.Nodes.Length; n++)
@@ -375,9 +375,9 @@ namespace FastPoints.Tests.Build
                         var node = table.Nodes[n];
                         var plane = table.Nodes[node.PlaneNode];
                         int first = node.PlaneNode * table.PlaneCount;
-                        var position = new PlaneView(ofPoints + table.Planes[first].OffsetBytes,
+                        var position = new PlaneView(ofPoints + table.PlaneRanges[first].OffsetBytes,
                             PlaneShape.OfPositions(node.IsWide), plane.PlaneBlocks);
-                        var normal = new PlaneView(ofNormals + table.Planes[first + table.PlaneCount - 1].OffsetBytes,
+                        var normal = new PlaneView(ofNormals + table.PlaneRanges[first + table.PlaneCount - 1].OffsetBytes,
                             new PlaneShape(2, 0), plane.PlaneBlocks);
                         for (int b = node.FirstBlock; b < node.FirstBlock + node.BlockCount; b++)
                             for (int i = 0; i < position.PointsOf(b); i++)

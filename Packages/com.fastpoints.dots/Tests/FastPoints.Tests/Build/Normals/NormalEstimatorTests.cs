@@ -263,9 +263,9 @@ namespace FastPoints.Tests.Build
             using var batch = new PointBatch(schema, points.Length, Allocator.Persistent) { Count = points.Length };
             double3 min = points.Aggregate(math.min), max = points.Aggregate(math.max);
             var region = own ?? new NormalRegion { Min = min, Max = max + math.max(1e-6 * (max - min), 1e-15 * math.abs(max)) };
-            region.Metres = metres ?? 1;
+            region.StepMetres = metres ?? 1;
             region.Neighbours = neighbours;
-            region.Margin = own.HasValue ? 0.5 : 0;
+            region.MarginMetres = own.HasValue ? 0.5 : 0;
             for (int axis = 0; axis < 3; axis++)
                 batch.Column<double>(axis).CopyFrom(points.Select(p => p[axis]).ToArray());
             using var normals = new NativeArray<ushort>(points.Length, Allocator.Persistent);

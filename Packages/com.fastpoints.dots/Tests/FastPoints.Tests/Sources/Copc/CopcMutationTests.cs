@@ -70,7 +70,7 @@ namespace FastPoints.Tests.Sources
             catch (PointCloudException failure)
             {
                 Assert.That(failure.Message, Does.Not.Contain("\n"), detail);
-                Assert.That(failure.IsBadInput, Is.True, detail + ": " + failure.Message);
+                Assert.That(failure.IsInputAtFault, Is.True, detail + ": " + failure.Message);
             }
         }
 

@@ -272,7 +272,7 @@ namespace FastPoints.Tests.Sources
                 catch (PointCloudException failure)
                 {
                     Assert.That(failure.Message, Does.Not.Contain("\n"), "case " + i);
-                    Assert.That(failure.IsBadInput, Is.True, "case " + i + ": " + failure.Message);
+                    Assert.That(failure.IsInputAtFault, Is.True, "case " + i + ": " + failure.Message);
                 }
                 File.WriteAllBytes(file, sound);
             }

@@ -327,20 +327,20 @@ namespace FastPoints.Tests.Sources
         }
 
         [Test]
-        public void RentTranscoder_NodesOfSeveralFrames_BeginTogether()
+        public void TryRentTranscoder_NodesOfSeveralFrames_BeginTogether()
         {
             using var workers = new WorkerCount(1);
             using var cloud = new TreeTestCloud(TreeTestCloud.Copc);
             using var source = cloud.Open();
             var transcoders = new List<NodeTranscoder>();
-            for (NodeTranscoder transcoder; (transcoder = source.RentTranscoder(1 << 16)) != null;)
+            for (NodeTranscoder transcoder; (transcoder = source.TryRentTranscoder(1 << 16)) != null;)
                 transcoders.Add(transcoder);
             Assert.That(transcoders.Count, Is.EqualTo(4));
             foreach (var transcoder in transcoders)
                 source.ReturnTranscoder(transcoder);
             for (int i = 0; i < 2; i++)
-                Assert.That(source.RentTranscoder(1 << 20), Is.Not.Null);
-            Assert.That(source.RentTranscoder(1), Is.Null);
+                Assert.That(source.TryRentTranscoder(1 << 20), Is.Not.Null);
+            Assert.That(source.TryRentTranscoder(1), Is.Null);
         }
 
         [Test]
@@ -355,7 +355,7 @@ namespace FastPoints.Tests.Sources
             int number = Add(stream, source);
             Settle(stream);
             var page = stream.Clouds[number].Pages[0];
-            var transcoder = (TreeNodeTranscoder)source.RentTranscoder(page.Nodes[0].PointCount);
+            var transcoder = (TreeNodeTranscoder)source.TryRentTranscoder(page.Nodes[0].PointCount);
             transcoder.LeaveChain();
             var chain = new TranscoderChain { End = default(GateJob).Schedule() };
             JobHandle.ScheduleBatchedJobs();

@@ -10,7 +10,7 @@ namespace FastPoints.Editor
     /// <summary>Edits clouds one operation after the other, beside the editor's own work. Each becomes a step of Undo: undoing it
     /// undoes it in the cloud's journal.</summary>
     [InitializeOnLoad]
-    internal static class CloudEdits
+    internal static class EditQueue
     {
         const double UpdateMs = 4;
 
@@ -18,7 +18,7 @@ namespace FastPoints.Editor
         static JobCoroutine s_running;
         static string s_cloud;
 
-        static CloudEdits()
+        static EditQueue()
         {
             if (!AssetDatabase.IsAssetImportWorkerProcess())
                 Listen();

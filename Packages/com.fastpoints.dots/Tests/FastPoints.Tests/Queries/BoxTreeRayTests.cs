@@ -7,7 +7,7 @@ using Unity.Mathematics;
 
 namespace FastPoints.Tests.Queries
 {
-    public sealed unsafe class RayBoxesTests
+    public sealed unsafe class BoxTreeRayTests
     {
         const int Leaves = 197; // The last eight are not full.
 
@@ -35,11 +35,11 @@ namespace FastPoints.Tests.Queries
                 if (i % 100 == 1)
                     (query.Radius, query.RadiusPerUnit) = (double.PositiveInfinity, 0);
                 var space = new QuerySpace(query, new CloudPlacement(double3x3.identity, 0));
-                var rays = space.BoxesOf(tree);
+                var rays = space.RayFor(tree);
                 for (int first = 0; first < tree.LeafCount; first += 8)
                 {
-                    int hits = RayBoxes.Intersect(&rays, tree.Eights + first / 8, starts);
-                    Assert.That(RayBoxes.IntersectPlain(&rays, tree.Eights + first / 8, plainStarts), Is.EqualTo(hits));
+                    int hits = BoxTreeRay.Intersect(&rays, tree.Eights + first / 8, starts);
+                    Assert.That(BoxTreeRay.IntersectPlain(&rays, tree.Eights + first / 8, plainStarts), Is.EqualTo(hits));
                     for (int box = 0; box < math.min(8, tree.LeafCount - first); box++)
                     {
                         bool isHit = (hits >> box & 1) != 0;
@@ -50,7 +50,7 @@ namespace FastPoints.Tests.Queries
                         for (int n = 0; n < 8; n++)
                         {
                             var position = tree.Corner + middle + half * math.clamp(random.NextDouble3(-2, 2), -1, 1);
-                            if (!space.Holds(space.FromOrigin(position), out double distance, out _))
+                            if (!space.Holds(space.RelativeToOrigin(position), out double distance, out _))
                                 continue;
                             held++;
                             Assert.That(isHit && distance >= rays.Base + starts[box], Is.True);
@@ -77,7 +77,7 @@ namespace FastPoints.Tests.Queries
                 var space = new QuerySpace(query, new CloudPlacement(double3x3.identity, 0));
                 var filter = new BlockFilter(query, space, step);
                 uint size = 1u << random.NextInt(1, 31);
-                filter.Begin(space.FromOrigin(at), new float3(size, size, size), double.PositiveInfinity);
+                filter.Begin(space.RelativeToOrigin(at), new float3(size, size, size), double.PositiveInfinity);
                 for (int n = 0; n < 24; n++)
                     steps[n] = random.NextUInt(size);
                 int hits = filter.MayHold(steps, steps + 8, steps + 16);
@@ -85,7 +85,7 @@ namespace FastPoints.Tests.Queries
                 for (int n = 0; n < 8; n++)
                 {
                     var position = at + new double3(steps[n], steps[8 + n], steps[16 + n]) * step;
-                    bool isHeld = space.Holds(space.FromOrigin(position), out _, out _);
+                    bool isHeld = space.Holds(space.RelativeToOrigin(position), out _, out _);
                     held += isHeld ? 1 : 0;
                     Assert.That(!isHeld || (hits >> n & 1) != 0, Is.True);
                 }

@@ -9,7 +9,7 @@ namespace FastPoints.Sampling
     /// spread over all of the source. The time it takes depends on the points wanted, hardly on the source's size.</summary>
     /// <remarks>The sample is the same for the same source, seed and number of points, on any number of threads and slots and any
     /// disk. All members belong to the thread of the coroutine.</remarks>
-    internal sealed class WaveSampler : IDisposable
+    internal sealed class PreviewWaveSampler : IDisposable
     {
         /// <summary>Points at which a wave ends; the last one ends with the sample.</summary>
         static readonly int[] s_waves = { 2_000, 20_000, 200_000, 1_000_000, 4_000_000 };
@@ -19,7 +19,7 @@ namespace FastPoints.Sampling
         const double MinShareOfLast = 0.75;
 
         readonly PointReader m_reader;
-        readonly WaveReader m_reads;
+        readonly PreviewWaveReader m_reads;
         readonly SampleBuffer m_buffer;
         readonly List<PreviewSample.Wave> m_waves = new List<PreviewSample.Wave>();
         readonly Stopwatch m_watch = new Stopwatch();
@@ -28,12 +28,12 @@ namespace FastPoints.Sampling
         /// <param name="reader">A reader whose blocks are known.</param>
         /// <param name="wanted">Number of points, limited to <see cref="PreviewSample.MaxPoints"/>.</param>
         /// <exception cref="PointCloudException">The source has no positions.</exception>
-        public WaveSampler(PointReader reader, int wanted, uint seed)
+        public PreviewWaveSampler(PointReader reader, int wanted, uint seed)
         {
             m_reader = reader;
             wanted = Math.Max(0, Math.Min(wanted, PreviewSample.MaxPoints(SampleSchema.Of(reader.Info))));
             m_reads = reader is RecordReader
-                ? (WaveReader)new RangeWaveReader(reader, wanted, seed)
+                ? (PreviewWaveReader)new RangeWaveReader(reader, wanted, seed)
                 : new PrefixWaveReader(reader, wanted, seed);
             m_buffer = m_reads.Buffer;
             m_sample = m_buffer.CreateSample();

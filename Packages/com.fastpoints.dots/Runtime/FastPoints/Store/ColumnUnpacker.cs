@@ -1,6 +1,6 @@
 namespace FastPoints.Store
 {
-    internal unsafe struct PlaneValues
+    internal unsafe struct ColumnUnpacker
     {
         public PlaneView View;
         public int Column;

@@ -4,13 +4,13 @@ using Unity.Mathematics;
 
 namespace FastPoints.E57
 {
-    static class E57Facts
+    static class E57SourceInfo
     {
         // This many scans are listed in full, later ones with names and counts only.
-        const int MaxWholeScans = 50;
-        const int MaxScans = 1000;
+        const int MaxScansDescribed = 50;
+        const int MaxScansNamed = 1000;
         const int MaxImages = 50;
-        const int MaxFieldsLeftOut = 20;
+        const int MaxFieldsReported = 20;
 
         // Sensor, weather and times, as the standard names them.
         static readonly string[] s_texts =
@@ -45,12 +45,12 @@ namespace FastPoints.E57
 
         public static void AddScan(E57Node node, E57Scan scan, SourceInfo info)
         {
-            if (scan.Index >= MaxScans)
+            if (scan.Index >= MaxScansNamed)
                 return;
             string label = scan.Label;
             string count = scan.RecordsClaimed.ToString(System.Globalization.CultureInfo.InvariantCulture) + " points";
             info.AddFact(label, scan.Name != null ? scan.Name + ", " + count : count);
-            if (scan.Index >= MaxWholeScans)
+            if (scan.Index >= MaxScansDescribed)
                 return;
             foreach (string name in s_texts)
                 info.AddFactIfAny("  " + name, node.TextOf(name));
@@ -89,10 +89,10 @@ namespace FastPoints.E57
                 info.AddFact("colors", "scaled to 0 to 65,535 by their limits");
             if (info.Schema.Has(AttributeNames.ReturnNumber))
                 info.AddFact("ReturnNumber", "returnIndex + 1: E57 counts returns from 0");
-            for (int i = 0; i < schema.LeftOut.Count && i < MaxFieldsLeftOut; i++)
+            for (int i = 0; i < schema.LeftOut.Count && i < MaxFieldsReported; i++)
                 info.Warn(-1, "field " + E57Text.OneLine(schema.LeftOut[i]) + " is left out: another attribute has its name, " +
                     "or there are more than " + E57Scan.MaxFields);
-            if (schema.LeftOut.Count > MaxFieldsLeftOut)
+            if (schema.LeftOut.Count > MaxFieldsReported)
                 info.Warn(-1, NumberText.Of(schema.LeftOut.Count) + " fields are left out");
             AddMissing(scans, info);
             info.HasBoundsClaimed = scans.Count > 0;
@@ -119,7 +119,7 @@ namespace FastPoints.E57
                 }
             int reported = 0;
             foreach (var attribute in info.Schema)
-                if (scansWith.TryGetValue(attribute.Name, out int count) && count < scans.Count && reported++ < MaxFieldsLeftOut)
+                if (scansWith.TryGetValue(attribute.Name, out int count) && count < scans.Count && reported++ < MaxFieldsReported)
                     info.Warn(-1, attribute.Name + " is there in " + count + " of " + scans.Count +
                         " scans: it is 0 in the points of the others");
         }

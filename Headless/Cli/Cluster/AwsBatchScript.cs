@@ -1,7 +1,7 @@
 namespace FastPoints.Cli.Cluster;
 
 /// <summary>A script of AWS' command line: one job definition, and an array job for each array.</summary>
-static class BatchScript
+static class AwsBatchScript
 {
     const int MaxDependencies = 20; // A job waits for no more jobs.
 
@@ -19,7 +19,7 @@ static class BatchScript
             mounts += ",\n      " + Mount("data", path);
         }
         return EmbeddedText.Of("batch.json", ("name", job.Name), ("attempts", settings.Attempts),
-            ("image", Json(settings.Image!)), ("cores", settings.Cores), ("mebibytes", job.NodeMebibytes), ("volumes", volumes),
+            ("image", Json(settings.Image!)), ("cores", settings.Cores), ("mebibytes", job.TaskMebibytes), ("volumes", volumes),
             ("mounts", mounts)).TrimEnd('\n').Replace("'", "'\\''", StringComparison.Ordinal);
     }
 

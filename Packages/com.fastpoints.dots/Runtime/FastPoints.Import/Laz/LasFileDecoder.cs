@@ -24,7 +24,7 @@ namespace FastPoints.Laz
     }
 
     // Decodes whole LAS or LAZ files of one format from memory, one at a time: in a chain of slices as far as a range goes.
-    sealed unsafe class LazFileDecoder : IDisposable
+    sealed unsafe class LasFileDecoder : IDisposable
     {
         const int PointsPerSlice = 16384; // About 4 ms of decoding on one core.
 
@@ -39,9 +39,9 @@ namespace FastPoints.Laz
         NativeArray<byte> m_decoder;
         NativeArray<byte> m_batchRecords;
         NativeArray<FieldCopy> m_copies;
-        NativeReference<LazFileState> m_state;
+        NativeReference<LasFileState> m_state;
 
-        public LazFileDecoder(LasTemplate template, PointBatch batch, bool roundsOffset, Allocator allocator)
+        public LasFileDecoder(LasTemplate template, PointBatch batch, bool roundsOffset, Allocator allocator)
         {
             m_las = template.Las;
             m_format = template.Laz;
@@ -56,7 +56,7 @@ namespace FastPoints.Laz
             m_items = new NativeArray<byte>(m_format != null ? LazItems.ToBytes(m_format.Items) : new byte[0], allocator);
             m_batchRecords = new NativeArray<byte>(m_batchPoints * recordBytes, allocator,
                 NativeArrayOptions.UninitializedMemory);
-            m_state = new NativeReference<LazFileState>(allocator);
+            m_state = new NativeReference<LasFileState>(allocator);
         }
 
         public long PointsInFile => m_state.Value.PointsInFile;
@@ -66,7 +66,7 @@ namespace FastPoints.Laz
             NativeReference<DecodeResult> result, JobHandle inputDeps)
         {
             var header = m_las.Header;
-            var decode = new DecodeLazFileJob
+            var decode = new DecodeLasFileJob
             {
                 Input = input,
                 InputBytes = inputBytes,

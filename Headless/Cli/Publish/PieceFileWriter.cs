@@ -3,7 +3,7 @@ using Microsoft.Win32.SafeHandles;
 namespace FastPoints.Cli.Publish;
 
 /// <summary>A file of a cloud that is written piece by piece, its header last.</summary>
-sealed unsafe class FilePieces(CloudFolderWriter folder, string name) : IDisposable
+sealed unsafe class PieceFileWriter(CloudFolderWriter folder, string name) : IDisposable
 {
     public const int BytesPerPiece = 4 << 20;
 

@@ -5,12 +5,12 @@ using Unity.Jobs;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>How the points of a <see cref="WaveSampler"/>'s waves are read into their entries.</summary>
-    internal abstract class WaveReader
+    /// <summary>How the points of a <see cref="PreviewWaveSampler"/>'s waves are read into their entries.</summary>
+    internal abstract class PreviewWaveReader
     {
         const double MaxFrameMs = 250; // If frames are farther apart, the machine was busy or the work was paused.
 
-        protected WaveReader(PointReader reader, int entryCount, string method)
+        protected PreviewWaveReader(PointReader reader, int entryCount, string method)
         {
             Reader = reader;
             Buffer = new SampleBuffer(SampleSchema.Of(reader.Info), reader.Info.Transform, entryCount);

@@ -5,7 +5,7 @@ namespace FastPoints.Queries
 {
     // Which boxes of one tree a ray's points may lie in: QuerySpace.Intersects in floats, from where the ray passes the tree, and
     // with room for what these round away.
-    internal readonly unsafe struct RayBoxes
+    internal readonly unsafe struct BoxTreeRay
     {
         const double Rounding = 4e-6; // Floats that are summed here lose less than this share of the largest.
         const double LargestInverse = 1e25; // In place of infinity, so that nothing becomes no number.
@@ -25,9 +25,9 @@ namespace FastPoints.Queries
         readonly float m_near;
         readonly float m_far;
 
-        public RayBoxes(in PointQuery ray, in RayLocal local, in BoxTree tree)
+        public BoxTreeRay(in PointQuery ray, in RayLocal local, in BoxTree tree)
         {
-            tree.GetAll(out var middle, out var half);
+            tree.GetBounds(out var middle, out var half);
             Base = math.dot(middle + tree.Corner, local.AlongAxes) + local.AlongCorner;
             var origin = local.Origin + local.Direction * Base - tree.Corner;
             var largest = math.abs(middle) + half + math.abs(origin);
@@ -48,7 +48,7 @@ namespace FastPoints.Queries
         }
 
         // One bit for each box that may hold a hit, none of which is nearer than the box's start, which counts from Base.
-        public static int Intersect(RayBoxes* ray, EightBoxes* boxes, float* starts)
+        public static int Intersect(BoxTreeRay* ray, EightBoxes* boxes, float* starts)
         {
             if (X86.Avx2.IsAvx2Supported)
             {
@@ -91,7 +91,7 @@ namespace FastPoints.Queries
         }
 
         // The same without intrinsics.
-        internal static int IntersectPlain(RayBoxes* ray, EightBoxes* boxes, float* starts)
+        internal static int IntersectPlain(BoxTreeRay* ray, EightBoxes* boxes, float* starts)
         {
             int hits = 0;
             for (int box = 0; box < EightBoxes.Count; box++)

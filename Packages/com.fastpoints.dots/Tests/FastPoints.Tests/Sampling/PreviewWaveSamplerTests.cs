@@ -12,7 +12,7 @@ using Unity.Mathematics;
 namespace FastPoints.Tests.Sampling
 {
     [Category("Smoke")]
-    public class WaveSamplerTests : FolderTests
+    public class PreviewWaveSamplerTests : FolderTests
     {
         string FilePath => Folder.File("cloud");
 
@@ -43,7 +43,7 @@ namespace FastPoints.Tests.Sampling
         static PreviewSample Take(PointReader reader, int wanted, int slots = 0, uint seed = 1,
             List<PreviewSample.Wave> waves = null)
         {
-            using var sampler = new WaveSampler(reader, wanted, seed);
+            using var sampler = new PreviewWaveSampler(reader, wanted, seed);
             JobCoroutine.RunToEnd(sampler.Run(slots, new StageProgress()));
             waves?.AddRange(sampler.Waves);
             return sampler.TakeSample();
@@ -93,7 +93,7 @@ namespace FastPoints.Tests.Sampling
         public void Waves_Ready_ComeBeforeTheRestAndDoNotChange()
         {
             using var reader = Numbered(100_000);
-            using var sampler = new WaveSampler(reader, 30_000, 1);
+            using var sampler = new PreviewWaveSampler(reader, 30_000, 1);
             var first = new List<int>();
             int raised = 0;
             sampler.WaveReady += wave =>
@@ -228,7 +228,7 @@ namespace FastPoints.Tests.Sampling
             using var reader = Numbered(200_000);
             using (var stream = new FileStream(FilePath, FileMode.Open, FileAccess.Write, FileShare.ReadWrite))
                 stream.SetLength(stream.Length / 2);
-            using var sampler = new WaveSampler(reader, 10_000, 1);
+            using var sampler = new PreviewWaveSampler(reader, 10_000, 1);
             Assert.That(() => JobCoroutine.RunToEnd(sampler.Run(3, null)),
                 Throws.TypeOf<PointCloudException>().With.Property("Code").EqualTo(FailureCode.Truncated));
         }
@@ -239,7 +239,7 @@ namespace FastPoints.Tests.Sampling
             using var reader = Numbered(50_000);
             for (int steps = 0; steps < 40; steps += 3)
             {
-                using var sampler = new WaveSampler(reader, 25_000, 1);
+                using var sampler = new PreviewWaveSampler(reader, 25_000, 1);
                 var work = new CoroutineStack(sampler.Run(3, null));
                 for (int step = 0; step < steps && work.MoveNext(); step++) { }
                 work.Dispose();

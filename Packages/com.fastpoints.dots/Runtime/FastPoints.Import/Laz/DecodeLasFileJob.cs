@@ -11,7 +11,7 @@ namespace FastPoints.Laz
     // A slice of a whole LAZ or LAS file in memory, header included: for octrees that keep each node in a file of its own. Chunk
     // after chunk from the file's start, so that the chunk table is not needed.
     [BurstCompile]
-    unsafe struct DecodeLazFileJob : IJob
+    unsafe struct DecodeLasFileJob : IJob
     {
         [ReadOnly] public NativeArray<byte> Input; // With PaddingBytes of RangeCoder behind it.
 
@@ -28,7 +28,7 @@ namespace FastPoints.Laz
         public NativeArray<byte> BatchRecords;
         [ReadOnly] public NativeArray<FieldCopy> Copies;
         public NativeArray<byte> Columns;
-        public NativeReference<LazFileState> State;
+        public NativeReference<LasFileState> State;
         public NativeReference<DecodeResult> Result;
         public LazCompressor Compressor;
         public int PointFormat;
@@ -94,7 +94,7 @@ namespace FastPoints.Laz
 
         PointwiseChunk* Pointwise => (PointwiseChunk*)Decoder.GetUnsafePtr();
 
-        int Decode(byte* input, in LazFileState state, int count)
+        int Decode(byte* input, in LasFileState state, int count)
         {
             byte* chunk = input + state.ChunkOffset;
             byte* batch = (byte*)BatchRecords.GetUnsafePtr();
@@ -135,7 +135,7 @@ namespace FastPoints.Laz
             result.ErrorOffset = offset;
         }
 
-        bool StartChunk(byte* input, ref LazFileState state)
+        bool StartChunk(byte* input, ref LasFileState state)
         {
             long room = state.End - state.ChunkOffset;
             if (room < RecordBytes)
@@ -158,7 +158,7 @@ namespace FastPoints.Laz
             return bytes > 0 && state.ChunkPoints > 0;
         }
 
-        bool ReadHeader(byte* input, ref LazFileState state)
+        bool ReadHeader(byte* input, ref LasFileState state)
         {
             if (InputBytes < LasHeader.MinBytes || input[0] != 'L' || input[1] != 'A' || input[2] != 'S' || input[3] != 'F')
                 return false;
@@ -178,7 +178,7 @@ namespace FastPoints.Laz
                 return true;
             }
             state.ChunkOffset = *(uint*)(input + LasHeader.At.PointsOffset)
-                + (long)(Compressor == LazCompressor.Pointwise ? 0 : LazChunkTable.TableOffsetBytes);
+                + (long)(Compressor == LazCompressor.Pointwise ? 0 : LazChunkTable.TableOffsetSize);
             state.End = EndOfChunks(input, state.ChunkOffset);
             return ReadVlrs(input, headerBytes > LasHeader.MinBytes ? headerBytes : LasHeader.MinBytes, ref state);
         }
@@ -188,11 +188,11 @@ namespace FastPoints.Laz
         {
             if (Compressor == LazCompressor.Pointwise || firstChunk > InputBytes)
                 return InputBytes;
-            long table = *(long*)(input + firstChunk - LazChunkTable.TableOffsetBytes);
+            long table = *(long*)(input + firstChunk - LazChunkTable.TableOffsetSize);
             return table > firstChunk && table <= InputBytes ? table : InputBytes;
         }
 
-        bool ReadVlrs(byte* input, long at, ref LazFileState state)
+        bool ReadVlrs(byte* input, long at, ref LasFileState state)
         {
             const int UserId = 2, LastOfUserId = UserId + 13;
             long end = state.ChunkOffset < InputBytes ? state.ChunkOffset : InputBytes;
@@ -204,19 +204,19 @@ namespace FastPoints.Laz
                 at += LasVlr.HeaderBytes + bytes;
                 // "laszip encoded" is the only user id that begins and ends so and has this record id.
                 bool isLaszip = *(ushort*)(vlr + 18) == LazFormat.RecordId && vlr[UserId] == 'l' && vlr[LastOfUserId] == 'd';
-                if (!isLaszip || at > end || bytes < LazFormat.ItemsOffset + Items.Length)
+                if (!isLaszip || at > end || bytes < LazFormat.ItemCountOffset + Items.Length)
                     continue;
                 uint chunkPoints = *(uint*)(data + 12);
                 state.PointsOfChunks = Compressor == LazCompressor.Pointwise || chunkPoints == LazFormat.VariableChunkPoints
                     ? 0 : chunkPoints;
                 return *(ushort*)data == (int)Compressor && *(ushort*)(data + 2) == 0
-                    && UnsafeUtility.MemCmp(data + LazFormat.ItemsOffset, Items.GetUnsafeReadOnlyPtr(), Items.Length) == 0;
+                    && UnsafeUtility.MemCmp(data + LazFormat.ItemCountOffset, Items.GetUnsafeReadOnlyPtr(), Items.Length) == 0;
             }
             return false;
         }
     }
 
-    struct LazFileState
+    struct LasFileState
     {
         public long PointsInFile;
         public long PointsOfChunks; // Of every chunk except the last; 0 if chunks say so themselves.

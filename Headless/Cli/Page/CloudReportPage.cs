@@ -1,6 +1,6 @@
 namespace FastPoints.Cli.Page;
 
-sealed class CloudPage
+sealed class CloudReportPage
 {
     public required string Name { get; init; }
     public required string Command { get; init; }
@@ -63,7 +63,7 @@ sealed class CloudPage
     }
 
     public static string Today => DateTime.UtcNow.ToString("yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture) + " UTC";
-    public static string Version => typeof(CloudPage).Assembly.GetName().Version!.ToString(3);
+    public static string Version => typeof(CloudReportPage).Assembly.GetName().Version!.ToString(3);
 
     /// <summary>What contradicts itself, or is not as a user would expect.</summary>
     IEnumerable<string> Remarks(CloudDistribution distribution)
@@ -177,7 +177,7 @@ sealed class CloudPage
             yield return ("Keep this scan and its octree, to fly over and to export", "fastpoints --keep -o kept");
             yield break;
         }
-        string inputs = string.Join(' ', Inputs.Select(Quoted)), cloud = Quoted(CloudPath);
+        string inputs = string.Join(' ', Inputs.Select(QuotedWithoutQuery)), cloud = QuotedWithoutQuery(CloudPath);
         yield return ("Fly over it: a camera path, pictures and a page with figures of each frame",
             "fastpoints fly " + cloud + " -o flight");
         yield return ("Build the octree by itself, with less memory or another sampler", "fastpoints convert " + inputs
@@ -191,7 +191,7 @@ sealed class CloudPage
     }
 
     /// <summary>Of an address without what signs it.</summary>
-    public static string Quoted(string word) => QuotedWord(SourcePath.WithoutQuery(word));
+    public static string QuotedWithoutQuery(string word) => QuotedWord(SourcePath.WithoutQuery(word));
 
     static string QuotedWord(string word) =>
         word.Length > 0 && word.All(c => char.IsLetterOrDigit(c) || "-_./\\:=,+@".Contains(c)) ? word
