@@ -52,8 +52,8 @@ namespace FastPoints.Build
             Folder = new CloudFolderWriter(target);
             SliceTimes = new SliceTimes(Allocator.Persistent);
             CloudId = part.CloudId;
-            Grid = new GridChoice
-                { Grid = part.Grid, RecordLayout = part.RecordLayout, Sources = new SourceToGrid[readers.Count] };
+            var sources = new SourceToGrid[readers.Count];
+            Grid = new GridChoice { Grid = part.Grid, RecordLayout = part.RecordLayout, Sources = sources };
             for (int i = 0; i < readers.Count; i++)
             {
                 Grid.Sources[i] = GridChoice.OnGrid(readers[i].Info, part.Grid);
