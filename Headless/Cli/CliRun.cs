@@ -123,8 +123,8 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
             return new BoundsGeo(box.CenterWorld - half, box.CenterWorld + half);
         }
         IsEmpty = true;
-        Warn(output + ": no point is " + what + " of " + NumberFormat.Count(points) + ", which lie in " + NumberFormat.Box(bounds)
-            + (clips.Count == 0 ? "" : "; wanted "
+        Warn(output + ": no point is " + what + (points > 0 ? " of " + NumberFormat.Count(points) + ", which" : "; they")
+            + " lie in " + NumberFormat.Box(bounds) + (clips.Count == 0 ? "" : "; wanted "
             + string.Join(", ", clips.Select(c => (c.Cuts ? "not " : "") + NumberFormat.Box(Of(c))))));
     }
 

@@ -111,7 +111,7 @@ public sealed class PictureVerb : Verb
         {
             using PointReader reader = CloudFolder.IsCloud(cloud) ? ConvertedReader.Open(cloud)
                 : PointReaders.Open(cloud, source);
-            points += reader.Info.PointsReadable;
+            points += Math.Max(0, reader.Info.PointsReadable); // Less than 0: unknown.
             bounds.Include(reader.Info.BoundsIfFinite);
         }
         run.WarnEmpty(output, "to be seen", points, bounds, options.ClipBoxes);

@@ -121,7 +121,7 @@ namespace FastPoints.E57
                 else if (field == null)
                     reads.Add(Constant(0, batch, i));
                 else
-                    reads.Add(ReadAs(scan, field, wanted[i], batch, i));
+                    reads.Add(ReadAs(scan, field, batch, i));
             }
             return reads;
         }
@@ -342,7 +342,7 @@ namespace FastPoints.E57
             reads.Add(read);
         }
 
-        E57FieldRead ReadAs(E57Scan scan, E57Field field, PointAttribute attribute, PointBatch batch, int column)
+        E57FieldRead ReadAs(E57Scan scan, E57Field field, PointBatch batch, int column)
         {
             var read = Read(field, batch, column);
             int color = Array.IndexOf(E57Names.Colors, field.Name);

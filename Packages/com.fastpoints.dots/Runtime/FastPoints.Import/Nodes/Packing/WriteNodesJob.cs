@@ -11,8 +11,7 @@ namespace FastPoints.Nodes
     /// <summary>Writes the file of a chunk or of the upper levels in memory: position and colour of every node, so that one read
     /// gets what siblings show, then their other planes, then the table. A chunk's top node is not written: its points go to the
     /// merge of the upper levels.</summary>
-    /// <remarks>One run of the job is a slice; the job groups again until it is done. A plane of a node is written in one
-    /// slice.</remarks>
+    /// <remarks>A run is a slice: it goes on where the last one ended. A plane of a node is written in one slice.</remarks>
     [BurstCompile]
     internal unsafe struct WriteNodesJob : IJob
     {
@@ -47,7 +46,7 @@ namespace FastPoints.Nodes
         [ReadOnly] public AveragedColumns Averaged; // The points as the sampler left them.
         public NativeArray<uint> Points; // Scratch: points, grouped by draft.
         public WriteScratch Scratch; // Its WriteScratch.Progress is reset before the first slice.
-        public int CostPerSlice; // About this many values are written in one group; grouping a point costs as much as one.
+        public int CostPerSlice; // About this many values are written in one slice; grouping a point costs as much as one.
         public NativeList<byte> File; // Out: the container. Empty if a chunk has no node except its top.
         public NativeList<byte> Table; // Out: the nodes, then their planes' ranges.
         public NativeList<byte> Top; // Out: the top's points as records, in order.

@@ -230,6 +230,7 @@ namespace FastPoints.Reading
             }
         }
 
+        // Formats that are written have no reversed fields.
         static void FromColumn(byte* columns, int first, int count, FieldCopy* copy, byte* records, int stride)
         {
             byte* to = records + copy->RecordByte;
