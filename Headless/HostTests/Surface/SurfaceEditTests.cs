@@ -166,6 +166,68 @@ public sealed class SurfaceEditTests : ScratchTests
         Assert.That((kinds, made, kept), Is.EqualTo((9, 25, 31)), "edits, and cells with a surface");
     }
 
+    [Test]
+    public void Cells_OtherEditsReach_StandWhereSomebodyIsNearAndAreReadyIfTheyHaveGround()
+    {
+        var freed = new List<int3>();
+        var cells = new SurfaceCells(s_grid, cell => freed.Add(cell.At));
+        double3 unit = new double3(1, 1, 1), here = 0.5 * s_grid.CellMetres * unit, away = 1000 * unit;
+        SurfaceCell Make(int triangles)
+        {
+            cells.Plan([here], unit, 1);
+            var cell = cells.Next(0);
+            cell.Shown = triangles > 0 ? new object() : null;
+            cells.SetMade(cell, triangles, 1);
+            return cell;
+        }
+        var made = Make(0);
+        foreach (var (edits, isReady) in new[] { (1ul, true), (2ul, false), (1ul, true) })
+        {
+            cells.SetEdits(made, edits);
+            Assert.That(cells.IsReady(here, default), Is.EqualTo(isReady), "no ground, of other edits");
+            Assert.That(cells.Next(0), isReady ? Is.Null : Is.SameAs(made));
+        }
+        cells.SetEdits(made, 2);
+        cells.Plan([away], unit, 1);
+        made = Make(7);
+        int version = cells.Version;
+        cells.SetEdits(made, 2);
+        cells.Plan([here], unit, 1);
+        Assert.That((cells.IsReady(here, default), cells.Next(0), cells.Triangles), Is.EqualTo((true, made, 7)));
+        cells.Plan([away], unit, 1);
+        Assert.That((cells.Made.Count, cells.Triangles, made.Triangles), Is.EqualTo((0, 0, -1)), "nobody makes it anew");
+        Assert.That((freed.Single(), cells.Version), Is.EqualTo((made.At, version + 1)));
+    }
+
+    [Test]
+    public void Update_EditsBecomeUnreadable_KeepsWhatStands()
+    {
+        var updates = New(5);
+        Journal.Add(Box(-1, 1));
+        var before = Rest(updates);
+        string journal = EditJournal.PathOf(m_cloud);
+        byte[] whole = File.ReadAllBytes(journal), damaged = (byte[])whole.Clone();
+        Journal.Add(Box(-2, 2));
+        damaged[0] ^= 1;
+        File.WriteAllBytes(journal, damaged);
+        UnityEngine.Debug.s_sink = (type, text) => { };
+        try
+        {
+            Assert.That(() =>
+            {
+                updates.Update("a test", 0, 100);
+                return updates.Error;
+            }, Does.Contain(journal).After(10_000, 1));
+        }
+        finally
+        {
+            UnityEngine.Debug.s_sink = null;
+            File.WriteAllBytes(journal, whole);
+        }
+        Assert.That(updates.Surface.Cells.Made.ToDictionary(c => c.At, c => (int[])c.Shown), Is.EquivalentTo(before));
+        updates.Reopen();
+    }
+
     /// <summary>Without points, cells come from where they were.</summary>
     [Test]
     public void Update_EditFarAwayThenInAMargin_MakesTheReachedCellsAndUndoingFindsThemOnDisk()

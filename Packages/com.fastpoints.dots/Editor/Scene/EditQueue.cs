@@ -54,7 +54,6 @@ namespace FastPoints.Editor
                 Debug.LogError("FastPoints: " + PointCloudException.Of(s_cloud, e).FullMessage);
             }
             s_running = null;
-            PointCloudImports.Current?.Thumbnails.Add(s_cloud);
             EditModeFrames.RequestFrame();
         }
 

@@ -112,7 +112,10 @@ namespace FastPoints.Picture
             }
             var stored = new Dictionary<int, List<int>>();
             foreach (int page in Pages)
+            {
                 stored.Add(page, NodesOf(page).FindAll(index => IsStored(page, index)));
+                yield return default;
+            }
             m_stored = stored;
             try
             {

@@ -53,8 +53,9 @@ namespace FastPoints.Surface
                 collider.transform.localPosition = PositionOf(cell);
                 collider.sharedMesh = mesh;
                 collider.gameObject.layer = m_parent.gameObject.layer;
-                collider.gameObject.SetActive(isShown = true);
+                collider.gameObject.SetActive(true);
                 Replace(cell, collider);
+                isShown = true;
             }
             finally
             {
@@ -78,12 +79,14 @@ namespace FastPoints.Surface
 
         void Return(MeshCollider collider, Mesh mesh)
         {
-            // Somebody may have deleted what lies below the cloud.
+            // Somebody may have deleted what lies below the cloud, or its mesh.
             if (collider == null)
                 return;
             mesh ??= collider.sharedMesh;
             collider.gameObject.SetActive(false);
             collider.sharedMesh = null;
+            if (mesh == null)
+                return;
             mesh.Clear();
             m_free.Push((collider, mesh));
         }

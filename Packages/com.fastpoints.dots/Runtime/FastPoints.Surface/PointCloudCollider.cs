@@ -63,7 +63,7 @@ namespace FastPoints.Surface
         public long TriangleCount => Surface == null ? 0 : Surface.Cells.Triangles;
 
         /// <summary>Another number whenever a collider was added, changed or removed.</summary>
-        public int Version => Surface == null ? 0 : Surface.Cells.Version;
+        public int Version => m_updates == null ? 0 : m_updates.Version;
 
         /// <summary>Whether the cells around a position of the world are made, with ground in them or without: hold players until
         /// then, after a start or a jump. Never where nothing that is followed is near.</summary>

@@ -205,8 +205,8 @@ namespace FastPoints.Surface
                 yield return job;
                 var entity = m_entities.CreateEntity(typeof(LocalToWorld), typeof(PhysicsCollider), typeof(PhysicsWorldIndex));
                 m_entities.SetComponentData(entity, new PhysicsCollider { Value = made.Value });
-                isShown = true;
                 Replace(cell, (entity, made.Value));
+                isShown = true;
                 Move(cell);
             }
             finally

@@ -17,6 +17,7 @@ namespace FastPoints.Surface
         public bool IsStale; // Other edits reach them now. What was made stands until it is made anew.
 
         public bool IsMade => Triangles == 0 || Shown != null;
+        public bool IsReady => IsMade && !(IsStale && Shown == null);
     }
 
     /// <summary>Which cells are wanted around places, the nearest first, within budgets. Those that were made stay until others
@@ -60,13 +61,17 @@ namespace FastPoints.Surface
             int count = 0;
             for (long triangles = 0; count < m_wanted.Count; count++)
             {
-                triangles += math.max(0, m_wanted[count].Triangles);
+                triangles += m_wanted[count].IsStale ? 0 : math.max(0, m_wanted[count].Triangles);
                 // The nearest one is wanted whatever it takes.
                 if (count > 0 && (count >= MaxCells || triangles > MaxTriangles))
                     break;
                 m_wanted[count].WantedInPlan = m_plan;
             }
             m_wanted.RemoveRange(count, m_wanted.Count - count);
+            // Nobody makes these anew.
+            for (int i = Made.Count - 1; i >= 0; i--)
+                if (Made[i].IsStale && Made[i].WantedInPlan != m_plan && Made[i] != Busy)
+                    Drop(Made[i]);
             Trim();
             foreach (var cell in m_cells.Values)
                 if (cell.NearInPlan != m_plan && !cell.IsMade && cell != Busy)
@@ -113,12 +118,12 @@ namespace FastPoints.Surface
                 cell.Triangles = -1;
         }
 
-        /// <summary>Whether all cells so near to a place are made.</summary>
-        public bool IsMade(double3 place, double3 reach)
+        /// <summary>Whether all cells so near to a place are made, or stand as they were.</summary>
+        public bool IsReady(double3 place, double3 reach)
         {
             int3 first = m_grid.CellOf(place - reach), count = m_grid.CellOf(place + reach) - first + 1;
             for (int i = 0; i < count.x * count.y * count.z; i++)
-                if (!m_cells.TryGetValue(first + At(i, count), out var cell) || !cell.IsMade)
+                if (!m_cells.TryGetValue(first + At(i, count), out var cell) || !cell.IsReady)
                     return false;
             return true;
         }
@@ -163,10 +168,10 @@ namespace FastPoints.Surface
             Made.Remove(cell);
             Version++;
             Triangles -= cell.Triangles;
-            if (cell.Triangles == 0)
-                cell.Triangles = -1;
-            else
+            if (cell.Shown != null)
                 m_free(cell);
+            if (cell.Shown == null || cell.IsStale)
+                cell.Triangles = -1;
             (cell.Shown, cell.IsStale) = (null, false);
         }
     }

@@ -128,7 +128,7 @@ namespace FastPoints.Surface
         ulong EditsIn(int3 cell, EditPlan edits) => edits == null ? 0 : edits.HashIn(m_points.BoxOf(cell));
 
         public bool IsReady(double3 world, double reach) => math.all(m_lengths > 0) &&
-            Cells.IsMade(MetresOf(world), reach / m_lengths);
+            Cells.IsReady(MetresOf(world), reach / m_lengths);
 
         public virtual void Dispose()
         {
@@ -239,6 +239,7 @@ namespace FastPoints.Surface
         PoolTask<EditedCells> m_editing;
         double m_retryAt;
         int m_edits = EditJournal.Writes;
+        int m_versions; // Of surfaces before this one.
 
         /// <param name="path">Of the cloud; null for none.</param>
         /// <param name="follow">Plans; false if it must be made anew.</param>
@@ -247,11 +248,13 @@ namespace FastPoints.Surface
 
         public SurfaceColliders Surface { get; private set; }
         public string Error { get; private set; }
+        public int Version => m_versions + (Surface?.Cells.Version ?? 0);
         public bool IsCurrent => m_editing == null && m_edits == EditJournal.Writes; // Has all edits.
 
         public void Reopen()
         {
             m_opening?.Dispose();
+            m_versions += 1 + (Surface?.Cells.Version ?? 0);
             Surface?.Dispose();
             (m_opening, m_editing, Surface, m_retryAt) = (null, null, null, 0);
         }
@@ -266,7 +269,7 @@ namespace FastPoints.Surface
                     Reopen();
                 if (Surface == null)
                     m_edits = edits;
-                if (Surface == null ? TryOpen(cacheMegabytes, now) : !IsEditing() && Surface.Update(now, budgetMs))
+                if (Surface == null ? TryOpen(cacheMegabytes, now) : !IsEditing(now) && Surface.Update(now, budgetMs))
                     Error = null;
             }
             catch (Exception e)
@@ -280,22 +283,16 @@ namespace FastPoints.Surface
         }
 
         // Whether it waits for edits, which are taken between two cells: where they go on and on, cells do too.
-        bool IsEditing()
+        bool IsEditing(double now)
         {
-            if (!IsCurrent && m_editing == null && !Surface.IsMaking)
+            if (!IsCurrent && m_editing == null && !Surface.IsMaking && now >= m_retryAt)
                 (m_edits, m_editing) = (EditJournal.Writes, Surface.BeginEdits());
             if (m_editing == null || !m_editing.IsDone)
                 return m_editing != null;
-            try
-            {
-                Surface.SetEdits(m_editing.Take());
-            }
-            catch
-            {
-                Reopen();
-                throw;
-            }
-            m_editing = null;
+            var editing = m_editing;
+            (m_editing, m_edits) = (null, m_edits - 1); // Not current, where it throws: what was made stands.
+            Surface.SetEdits(editing.Take());
+            (m_edits, Error) = (m_edits + 1, null);
             return false;
         }
 

@@ -8,7 +8,7 @@ namespace FastPoints.Surface
     {
         public int At; // Its index among all voxels of a cell with margins.
         public uint Count;
-        public ulong X; // Sums of steps from its corner: of any number of points, so that no order of theirs matters.
+        public ulong X; // Sums of steps from its corner: of up to 2^32 points, so that no order of theirs matters.
         public ulong Y;
         public ulong Z;
     }

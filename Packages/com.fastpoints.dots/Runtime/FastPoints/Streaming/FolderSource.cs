@@ -19,6 +19,7 @@ namespace FastPoints.Streaming
         readonly List<EditedTranscoder> m_transcoders = new List<EditedTranscoder>();
         readonly Stack<NodeTranscoder> m_idle = new Stack<NodeTranscoder>();
         EditedNodes m_edited;
+        bool m_isWhole; // To examine single points.
 
         /// <summary>Owns the folder. Streams the position and the named planes, as far as the cloud has them.</summary>
         public FolderSource(CloudFolder folder, params string[] planes)
@@ -43,7 +44,7 @@ namespace FastPoints.Streaming
             foreach (var plane in folder.Layout.Planes)
                 if (plane.AverageOf < 0)
                     names.Add(plane.Name);
-            return new FolderSource(folder, names.ToArray());
+            return new FolderSource(folder, names.ToArray()) { m_isWhole = true };
         }
 
         /// <summary>The cloud that is streamed.</summary>
@@ -53,7 +54,7 @@ namespace FastPoints.Streaming
         internal EditPlan Edits
         {
             get => m_edited?.Plan;
-            set => m_edited = value != null ? new EditedNodes(value, m_folder, m_planes) : null;
+            set => m_edited = value != null ? new EditedNodes(value, m_folder, m_planes, m_isWhole) : null;
         }
 
         // Why edits are not applied: reported once.

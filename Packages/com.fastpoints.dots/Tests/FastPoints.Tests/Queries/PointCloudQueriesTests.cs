@@ -192,15 +192,20 @@ namespace FastPoints.Tests.Queries
                     : math.distance(hit.NormalWorld, Placed(code)) < 1e-6f), Is.True, hit.PositionGeo.ToString());
         }
 
-        [TestCase("damaged"), TestCase("cut"), TestCase("gone")]
-        public void Stored_NormalsCannotBeRead_AreUnknownAndHitsStay(string how)
+        [Test]
+        public void Stored_NormalsCannotBeRead_AreUnknownAndHitsStay([Values("damaged", "cut", "gone")] string how,
+            [Values] bool isEdited)
         {
             using var cloud = new PickTestCloud(30000);
             JobCoroutine.RunToEnd(AddNormals.Run(cloud.Path, null, null, null));
             var query = PointQuery.Nearest(PickTestCloud.OriginGeo);
             PointHit[] Found()
             {
-                using var stream = new QueryTestStream(new FolderSource(CloudFolder.Open(cloud.Path)), null, 500);
+                var source = new FolderSource(CloudFolder.Open(cloud.Path));
+                var removed = new EditOperation { Action = EditAction.Delete };
+                removed.Boxes.Add(EditShape.Box(source.Grid, PickTestCloud.OriginGeo - 9, PickTestCloud.OriginGeo + 40));
+                source.Edits = isEdited ? EditPlan.Of(cloud.Path, source.Folder.Manifest, removed) : null;
+                using var stream = new QueryTestStream(source, null, 500);
                 return stream.FindInFullDetail(query, 30000);
             }
             var whole = Found();

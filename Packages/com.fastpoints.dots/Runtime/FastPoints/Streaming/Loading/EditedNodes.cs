@@ -37,9 +37,9 @@ namespace FastPoints.Streaming
         readonly List<PlaneRange> m_ranges = new List<PlaneRange>(); // By node and Planes.
         readonly List<int[]> m_numbers = new List<int[]>(); // By page and node.
 
-        public EditedNodes(EditPlan plan, CloudFolder folder, NativeArray<int> streamed)
+        public EditedNodes(EditPlan plan, CloudFolder folder, NativeArray<int> streamed, bool mayLackNormals = false)
         {
-            (Plan, m_folder, StreamedPlanes) = (plan, folder, streamed.Length);
+            (Plan, m_folder, StreamedPlanes, MayLackNormals) = (plan, folder, streamed.Length, mayLackNormals);
             foreach (int plane in streamed)
                 Planes.Add(plane);
             for (int p = 1; p < Layout.Planes.Count; p++)
@@ -55,6 +55,7 @@ namespace FastPoints.Streaming
         // In the layout: those that are streamed, then those that operations read besides.
         public List<int> Planes { get; } = new List<int>();
         public int StreamedPlanes { get; }
+        public bool MayLackNormals { get; } // Those that cannot be read are unknown.
 
         public bool Has(int page, int node) =>
             page < m_numbers.Count && m_numbers[page] != null && m_numbers[page][node] >= 0;

@@ -69,6 +69,7 @@ namespace FastPoints.Streaming
             var check = new CheckPlanesJob
             {
                 File = m_file,
+                Optional = m_nodes.MayLackNormals && IsComputed(m_nodes.StreamedPlanes - 1) ? m_nodes.StreamedPlanes - 1 : -1,
                 Ranges = m_ranges,
                 Places = m_places,
                 Shapes = m_shapes,
@@ -210,7 +211,7 @@ namespace FastPoints.Streaming
             m_main.Dispose();
             if (!m_readsComputed)
                 return status;
-            status = status == ReadStatus.Complete ? m_computed.Status : status;
+            status = status == ReadStatus.Complete && !m_nodes.MayLackNormals ? m_computed.Status : status;
             m_computed.Dispose();
             return status;
         }
@@ -263,8 +264,9 @@ namespace FastPoints.Streaming
     [BurstCompile]
     internal unsafe struct CheckPlanesJob : IJob
     {
-        [ReadOnly] public NativeArray<byte> File;
-        [ReadOnly] public NativeArray<PlaneRange> Ranges;
+        public NativeArray<byte> File;
+        public int Optional; // The plane that is cleared if it is damaged; -1 for none.
+        public NativeArray<PlaneRange> Ranges;
         [ReadOnly] public NativeArray<long> Places;
         [ReadOnly] public NativeArray<PlaneShape> Shapes;
         public int BlockCount;
@@ -272,11 +274,35 @@ namespace FastPoints.Streaming
 
         public void Execute()
         {
-            var file = (byte*)File.GetUnsafeReadOnlyPtr();
-            for (int p = 0; p < Ranges.Length; p++)
-                if (ContentHash.Of(file + Places[p], Ranges[p].LengthBytes) != Ranges[p].Hash ||
-                    !PlaneView.IsValid(file + Places[p], Ranges[p].LengthBytes, Shapes[p], BlockCount))
+            var file = (byte*)File.GetUnsafePtr();
+            for (int p = 0; p < Ranges.Length && State.Value.DamagedPlane == 0; p++)
+            {
+                if (ContentHash.Of(file + Places[p], Ranges[p].LengthBytes) == Ranges[p].Hash &&
+                    PlaneView.IsValid(file + Places[p], Ranges[p].LengthBytes, Shapes[p], BlockCount))
+                    continue;
+                if (p == Optional)
+                    Clear(file, p);
+                else
                     State.Value = new RepackState { DamagedPlane = 1 + p };
+            }
+        }
+
+        // A plane of zeros is shorter than any other.
+        void Clear(byte* file, int plane)
+        {
+            var positions = new PlaneView(file + Places[0], Shapes[0], BlockCount);
+            var writer = new BlockWriter((uint*)(file + Places[plane]), Shapes[plane], 0,
+                (long)BlockCount * Shapes[plane].DescriptorWords);
+            ulong* values = stackalloc ulong[PlaneShape.MaxColumns * PlaneShape.MaxPointsPerBlock];
+            ulong* min = stackalloc ulong[PlaneShape.MaxColumns], max = stackalloc ulong[PlaneShape.MaxColumns];
+            for (int b = 0; b < BlockCount; b++)
+            {
+                UnsafeUtility.MemClear(values, PlaneShape.MaxColumns * PlaneShape.MaxPointsPerBlock * sizeof(ulong));
+                writer.Write(values, positions.PointsOf(b), min, max);
+            }
+            var range = Ranges[plane];
+            range.LengthBytes = writer.End();
+            Ranges[plane] = range;
         }
     }
 
