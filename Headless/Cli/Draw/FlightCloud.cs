@@ -124,7 +124,8 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
         var ranges = new DisplayRanges { Units = folder.Manifest.Crs.Units };
         var schema = LoadNodes.SchemaFor(folder, options.AttributesToMeasure());
         using var selection = new NodeSelection(folder) { Edits = edits };
-        JobCoroutine.RunToEnd(ConvertCloud.MeasureRanges(folder, selection, schema, options.UpAxis, ranges), cancellation);
+        JobCoroutine.RunToEnd(ConvertCloud.MeasureRanges(folder, selection, schema, options.UpAxis, ranges,
+            batch => selection.Load(batch, null)), cancellation);
         return ranges;
     }
 

@@ -56,7 +56,8 @@ namespace FastPoints.Picture
                 yield return JobStep.Of(PoolTask.Run(m_folder.FolderPath, () => (EditPlan.Of(m_folder, out var e), e),
                     read => (selection.Edits, Refused) = read));
                 if (!PlansByManifest)
-                    yield return JobStep.Of(ConvertCloud.MeasureRanges(m_folder, selection, schema, m_options.UpAxis, ranges));
+                    yield return JobStep.Of(ConvertCloud.MeasureRanges(m_folder, selection, schema, m_options.UpAxis, ranges,
+                        points => selection.Load(points, null)));
                 Plan = new PicturePlan(m_options, ranges, transform);
                 if (Plan.LitLevel > 0 && !m_options.Shadows)
                     schema = LoadNodes.WithNormals(schema, m_folder);

@@ -99,7 +99,8 @@ namespace FastPoints.Picture
 
         public override List<int> NodesOf(int page) => m_stored != null ? m_stored[page] : base.NodesOf(page);
 
-        public override IEnumerator<JobStep> Load(PointBatch batch, StageProgress progress)
+        /// <summary>Coroutine: as <see cref="LoadNodes.Run"/>, and as edited.</summary>
+        public IEnumerator<JobStep> Load(PointBatch batch, StageProgress progress)
         {
             using var points = Edits != null ? new EditedPoints(Edits, Folder, batch.Schema) : null;
             var edited = new HashSet<EditedNode>();
@@ -119,7 +120,7 @@ namespace FastPoints.Picture
             m_stored = stored;
             try
             {
-                yield return JobStep.Of(base.Load(batch, progress));
+                yield return JobStep.Of(LoadNodes.Run(Folder, this, batch, progress));
             }
             finally
             {

@@ -188,12 +188,12 @@ namespace FastPoints.Build
         /// levels.</summary>
         /// <exception cref="PointCloudException">The cloud cannot be read.</exception>
         internal static IEnumerator<JobStep> MeasureRanges(CloudFolder folder, CloudSelection nodes, PointSchema schema,
-            UpAxis upAxis, DisplayRanges ranges)
+            UpAxis upAxis, DisplayRanges ranges, Func<PointBatch, IEnumerator<JobStep>> load = null)
         {
             nodes.ChooseEvenly(PointsToMeasure);
             var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
             using var batch = new PointBatch(schema, nodes.PointCountOrThrow, Allocator.Persistent);
-            yield return JobStep.Of(nodes.Load(batch, null));
+            yield return JobStep.Of(load != null ? load(batch) : LoadNodes.Run(folder, nodes, batch, null));
             yield return JobStep.Of(ranges.Measure(batch, transform, upAxis));
         }
 

@@ -107,11 +107,6 @@ namespace FastPoints.Store
             return true;
         }
 
-        /// <summary>Coroutine: reads the chosen nodes into a batch with room for <see cref="Points"/>: see
-        /// <see cref="LoadNodes"/>.</summary>
-        public virtual IEnumerator<JobStep> Load(PointBatch batch, StageProgress progress) =>
-            LoadNodes.Run(Folder, this, batch, progress);
-
         public virtual void Dispose() => DropTables(-1);
 
         protected void DropTables(int tables)
