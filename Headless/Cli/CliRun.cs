@@ -93,16 +93,12 @@ public sealed class CliRun(TextWriter output, TextWriter error, RunSettings sett
 
     public void WriteLosses(Utf8JsonWriter json)
     {
-        json.WriteStartArray("losses");
-        foreach (var loss in Losses)
+        json.WriteObjects("losses", Losses, loss =>
         {
-            json.WriteStartObject();
             json.WriteString("what", loss.What);
             json.WriteString("where", loss.Where);
             json.WriteString("why", loss.Reason);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        });
     }
 
     internal void WarnOfFailures(StreamContext stream)

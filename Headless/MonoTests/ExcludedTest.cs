@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace FastPoints.MonoTests
 {
     /// <summary>A test that Mono cannot run, and why. Whoever adds one says what of Mono it is: what Unity's Mono does too is a

@@ -1,5 +1,3 @@
-using System;
-
 namespace FastPoints.MonoTests
 {
     public static class Program

@@ -82,7 +82,7 @@ sealed class BuildPlan
         json.WriteNumber("bucketTasks", BucketTasks);
         WriteMergeLevels(json);
         Estimate.Write(json);
-        PlanFile.WriteTexts(json, "settings", Settings);
+        json.WriteArray("settings", Settings, json.WriteStringValue);
         json.WriteString("filter", PlanFile.ToHex(FilterHash));
         json.WriteNumber("points", Whole.Points);
         json.WriteNumber("pointsPerChunk", Whole.PointsPerChunk);
@@ -94,7 +94,7 @@ sealed class BuildPlan
         json.WriteBoolean("wideRecords", Whole.RecordLayout.IsWide);
         json.WritePropertyName("recordBase");
         var at = Whole.RecordLayout.Base;
-        PlanFile.WriteNumbers(json, at.X, at.Y, at.Z);
+        json.WriteNumbers(at.X, at.Y, at.Z);
         if (Tiles != null)
             WriteTiles(json, Tiles);
         json.WritePropertyName("cloud");
@@ -103,15 +103,11 @@ sealed class BuildPlan
 
     public void WriteMergeLevels(Utf8JsonWriter json)
     {
-        json.WriteStartArray("mergeLevels");
-        for (int level = 1; level <= MergeTasks.Count; level++)
+        json.WriteObjects("mergeLevels", Enumerable.Range(1, MergeTasks.Count), level =>
         {
-            json.WriteStartObject();
             json.WriteNumber("level", level);
             json.WriteNumber("tasks", MergeTasks[level - 1]);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        });
     }
 
     static void WriteTiles(Utf8JsonWriter json, SourceInfo tiles)
@@ -119,17 +115,13 @@ sealed class BuildPlan
         json.WriteStartObject("tiles");
         json.WriteVector("scale", tiles.Transform.Scale);
         json.WriteVector("offset", tiles.Transform.Offset);
-        json.WriteStartArray("attributes");
-        foreach (var attribute in tiles.Schema)
+        json.WriteObjects("attributes", tiles.Schema, attribute =>
         {
-            json.WriteStartObject();
             json.WriteString("name", attribute.Name);
             json.WriteString("type", attribute.Type.ToString());
             json.WriteNumber("scale", attribute.Scale);
             json.WriteNumber("offset", attribute.Offset);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        });
         json.WriteEndObject();
     }
 

@@ -43,31 +43,10 @@ static class PlanFile
     public static string ToHex(ulong value) => value.ToString("x16", CultureInfo.InvariantCulture);
 
     public static void WriteCube(Utf8JsonWriter json, GridCube cube) =>
-        WriteNumbers(json, cube.Corner.X, cube.Corner.Y, cube.Corner.Z, cube.SideLog2);
+        json.WriteNumbers(cube.Corner.X, cube.Corner.Y, cube.Corner.Z, cube.SideLog2);
 
-    public static void WriteNumbers(Utf8JsonWriter json, params ReadOnlySpan<long> numbers)
-    {
-        json.WriteStartArray();
-        foreach (long number in numbers)
-            json.WriteNumberValue(number);
-        json.WriteEndArray();
-    }
-
-    public static void WriteCubes(Utf8JsonWriter json, string name, IEnumerable<GridCube> cubes)
-    {
-        json.WriteStartArray(name);
-        foreach (var cube in cubes)
-            WriteCube(json, cube);
-        json.WriteEndArray();
-    }
-
-    public static void WriteTexts(Utf8JsonWriter json, string name, IEnumerable<string> texts)
-    {
-        json.WriteStartArray(name);
-        foreach (string text in texts)
-            json.WriteStringValue(text);
-        json.WriteEndArray();
-    }
+    public static void WriteCubes(Utf8JsonWriter json, string name, IEnumerable<GridCube> cubes) =>
+        json.WriteArray(name, cubes, cube => WriteCube(json, cube));
 
     public static GridCube ReadCube(JsonMembers json, string name) => CubeOf(json.Longs(name, 4), json, name);
 

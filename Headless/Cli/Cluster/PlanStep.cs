@@ -238,25 +238,19 @@ sealed class PlanStep
     static void WriteNumbers(Utf8JsonWriter json, string name, IEnumerable<long> numbers)
     {
         json.WritePropertyName(name);
-        PlanFile.WriteNumbers(json, [.. numbers]);
+        json.WriteNumbers([.. numbers]);
     }
 
     void WriteSources(Utf8JsonWriter json, IEnumerable<(SourcePiece Piece, bool IsOwn)> pieces)
     {
-        json.WriteStartArray("sources");
-        foreach (var ofFile in pieces.GroupBy(p => p.Piece.File).OrderBy(g => g.Key))
+        json.WriteObjects("sources", pieces.GroupBy(p => p.Piece.File).OrderBy(g => g.Key), ofFile =>
         {
             var (path, bytes) = m_sources.Files[ofFile.Key];
-            json.WriteStartObject();
             json.WriteString("path", S3Addresses.NameOf(SourcePath.Full(path)));
             json.WriteNumber("bytes", bytes);
-            json.WriteStartArray("blocks");
-            foreach (var (first, end, isOwn) in Joined(ofFile.OrderBy(p => p.Piece.FirstBlock)))
-                PlanFile.WriteNumbers(json, first, end, isOwn ? 1 : 0);
-            json.WriteEndArray();
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+            json.WriteArray("blocks", Joined(ofFile.OrderBy(p => p.Piece.FirstBlock)),
+                blocks => json.WriteNumbers(blocks.First, blocks.End, blocks.IsOwn ? 1 : 0));
+        });
     }
 
     static IEnumerable<(int First, int End, bool IsOwn)> Joined(IEnumerable<(SourcePiece Piece, bool IsOwn)> pieces)
@@ -281,7 +275,7 @@ sealed class PlanStep
     {
         json.WritePropertyName("cube");
         PlanFile.WriteCube(json, merge.Cube);
-        PlanFile.WriteTexts(json, "inputs", merge.Inputs);
+        json.WriteArray("inputs", merge.Inputs, json.WriteStringValue);
     }
 
     static void WritePart(BuildPlan plan, string name, Action<Utf8JsonWriter> members) =>

@@ -29,28 +29,20 @@ sealed class TaskMarker
         json.WriteNumber("points", Points);
         json.WriteString("checksum", PlanFile.ToHex(Checksum));
         json.WriteNumber("outsidePoints", OutsidePoints);
-        json.WriteStartArray("ranges");
-        foreach (var range in Ranges)
+        json.WriteObjects("ranges", Ranges, range =>
         {
-            json.WriteStartObject();
             json.WriteNumber("task", range.Task);
             json.WriteNumber("count", range.Count);
             json.WriteNumber("offset", range.Offset);
             json.WriteNumber("bytes", range.Bytes);
             json.WriteString("hash", PlanFile.ToHex(range.Hash));
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
-        json.WriteStartArray("objects");
-        foreach (var stored in Objects)
+        });
+        json.WriteObjects("objects", Objects, stored =>
         {
-            json.WriteStartObject();
             json.WriteString("name", stored.Name);
             json.WriteNumber("bytes", stored.Bytes);
             json.WriteString("hash", PlanFile.ToHex(stored.Hash));
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        });
     });
 
     /// <returns>Null if the task is not done: there is none, it is another plan's, or damaged.</returns>

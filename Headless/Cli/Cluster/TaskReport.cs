@@ -21,7 +21,7 @@ sealed class TaskReport
                 json.WriteInteger("points", m_points);
                 json.WriteString("checksum", PlanFile.ToHex(m_checksum));
             }
-            PlanFile.WriteTexts(json, "missing", m_missing);
+            json.WriteArray("missing", m_missing, json.WriteStringValue);
         };
     }
 

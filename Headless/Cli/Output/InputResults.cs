@@ -23,18 +23,14 @@ public sealed class InputResults(IEnumerable<string> inputs)
     {
         if (m_all.Count == 1)
             m_all[0].WriteKeys?.Invoke(json);
-        json.WriteStartArray("files");
-        foreach (var entry in m_all)
+        json.WriteObjects("files", m_all, entry =>
         {
-            json.WriteStartObject();
             json.WriteString("input", entry.Input);
             json.WriteNumber("status", entry.Failure?.Status ?? ExitStatus.Done);
             entry.WriteKeys?.Invoke(json);
             entry.Points.WriteKeys(json);
             if (entry.Failure != null)
                 Summary.WriteFailure(json, entry.Failure);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        });
     }
 }

@@ -16,24 +16,15 @@ public static class Summary
         {
             json.WriteString("verb", verb);
             json.WriteNumber("schema", Version);
-            json.WriteStartArray("inputs");
-            foreach (string input in run.Inputs)
-                json.WriteStringValue(input);
-            json.WriteEndArray();
+            json.WriteArray("inputs", run.Inputs, json.WriteStringValue);
             run.WriteKeys?.Invoke(json);
             run.Points.WriteKeys(json);
             if (run.Inputs.Any(SourcePath.IsRemote))
                 WriteRemote(json);
             json.WriteNumber("seconds", Math.Round(run.Seconds, 6));
-            json.WriteStartArray("stages");
-            foreach (var stage in run.Progress.Finished)
-                WriteStage(json, stage);
-            json.WriteEndArray();
+            json.WriteArray("stages", run.Progress.Finished, stage => WriteStage(json, stage));
             json.WriteInteger("peakResidentBytes", PeakMemory.ResidentBytes);
-            json.WriteStartArray("warnings");
-            foreach (string warning in run.Warnings)
-                json.WriteStringValue(warning);
-            json.WriteEndArray();
+            json.WriteArray("warnings", run.Warnings, json.WriteStringValue);
             if (failure != null)
                 WriteFailure(json, failure);
         });
@@ -116,6 +107,32 @@ public static class Summary
             json.WriteNumber(key, value);
         else
             json.WriteNull(key);
+    }
+
+    public static void WriteArray<T>(this Utf8JsonWriter json, string key, IEnumerable<T> values, Action<T> write)
+    {
+        json.WriteStartArray(key);
+        foreach (T value in values)
+            write(value);
+        json.WriteEndArray();
+    }
+
+    /// <summary>An array of objects, of each of which the members are written.</summary>
+    public static void WriteObjects<T>(this Utf8JsonWriter json, string key, IEnumerable<T> values, Action<T> writeMembers) =>
+        json.WriteArray(key, values, value =>
+        {
+            json.WriteStartObject();
+            writeMembers(value);
+            json.WriteEndObject();
+        });
+
+    /// <summary>An array in an array.</summary>
+    public static void WriteNumbers(this Utf8JsonWriter json, params ReadOnlySpan<long> numbers)
+    {
+        json.WriteStartArray();
+        foreach (long number in numbers)
+            json.WriteNumberValue(number);
+        json.WriteEndArray();
     }
 
     public static void WriteVector(this Utf8JsonWriter json, string key, double3 value)

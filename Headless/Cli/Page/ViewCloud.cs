@@ -176,39 +176,19 @@ sealed class ViewCloud
                 json.WriteString(name, string.Concat(palette.Select(ViewColumn.Hex)));
             }
             json.WriteEndObject();
-            json.WriteStartArray("columns");
-            foreach (var column in m_columns)
-                column.Write(json, Points);
-            json.WriteEndArray();
-            json.WriteStartArray("sets");
-            foreach (var set in sets)
+            json.WriteArray("columns", m_columns, column => column.Write(json, Points));
+            json.WriteObjects("sets", sets, set =>
             {
-                json.WriteStartObject();
                 json.WriteNumber("count", set.Kept.Length);
-                json.WriteStartArray("differences");
-                foreach (var column in set.Columns)
-                {
-                    json.WriteStartArray();
-                    json.WriteNumberValue(column.Bytes);
-                    json.WriteNumberValue(column.First);
-                    json.WriteNumberValue(column.Step);
-                    json.WriteEndArray();
-                }
-                json.WriteEndArray();
+                json.WriteArray("differences", set.Columns, column => json.WriteNumbers(column.Bytes, column.First, column.Step));
                 json.WriteBase64String("data", set.Bytes);
-                json.WriteEndObject();
-            }
-            json.WriteEndArray();
-            json.WriteStartArray("waves");
-            foreach (var wave in Waves)
+            });
+            json.WriteObjects("waves", Waves, wave =>
             {
-                json.WriteStartObject();
                 json.WriteNumber("set", wave.Set);
                 json.WriteNumber("shown", sets[wave.Set].Kept.Count(i => i < wave.Points));
                 json.WriteString("text", Describe(wave));
-                json.WriteEndObject();
-            }
-            json.WriteEndArray();
+            });
             json.WriteEndObject();
         }
         return Encoding.UTF8.GetString(stream.GetBuffer(), 0, (int)stream.Length);
@@ -230,19 +210,9 @@ sealed class ViewCloud
         json.WriteVector("size", Bounds.Size);
         json.WriteVector("lengths", Ranges.LengthsPerUnit);
         json.WriteNumber("up", m_options.UpAxis.Index());
-        json.WriteStartArray("axes");
-        foreach (var axis in new[] { east, north, up })
-            Write(json, axis);
-        json.WriteEndArray();
+        json.WriteArray("axes", new[] { east, north, up }, axis => Write(json, axis));
         json.WriteString("unit", Unit);
-        json.WriteStartArray("position");
-        foreach (var axis in Points.Positions)
-        {
-            json.WriteStartObject();
-            axis.WriteType(json, axis.Scale);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        json.WriteObjects("position", Points.Positions, axis => axis.WriteType(json, axis.Scale));
         int decimals = Points.Positions.Max(p => p.Decimals);
         json.WriteNumber("clipDecimals", decimals);
         json.WriteNumber("lengthDecimals", Ranges.IsInDegrees ? 3 : Math.Clamp(decimals, 2, 6));
@@ -253,19 +223,13 @@ sealed class ViewCloud
         json.WriteNumber("spacing", 2 * Spacing * Math.Sqrt(Points.Count / Math.Max(1.0, shown)));
         json.WriteNumber("mode", mode == ColorMode.Rgb ? ColorsOfPoints : m_columns.FindIndex(c => c.Name == name));
         json.WriteBoolean("shaded", mode != ColorMode.Rgb);
-        json.WriteStartArray("elevation");
-        json.WriteNumberValue(Ranges.ElevationLow);
-        json.WriteNumberValue(Ranges.ElevationHigh);
-        json.WriteEndArray();
+        json.WriteArray("elevation", new[] { Ranges.ElevationLow, Ranges.ElevationHigh }, json.WriteNumberValue);
         Write(json, "camera", Camera);
         if (Path is not { } path)
             return;
         json.WriteStartObject("path");
         json.WriteNumber("every", path.Every);
-        json.WriteStartArray("cameras");
-        foreach (var camera in path.Cameras)
-            Write(json, null, camera);
-        json.WriteEndArray();
+        json.WriteArray("cameras", path.Cameras, camera => Write(json, null, camera));
         json.WriteEndObject();
     }
 
@@ -299,10 +263,8 @@ sealed class ViewCloud
         json.WriteStartObject("rgb");
         json.WriteNumber("scale", Ranges.Color switch { ColorDepth.Unit => 255, ColorDepth.Bits16 => 1 / 256.0, _ => 1 });
         json.WriteNumber("bias", Ranges.Color == ColorDepth.Unit ? 0.5 : 0);
-        json.WriteStartArray("columns");
-        foreach (string name in new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue })
-            json.WriteNumberValue(m_columns.FindIndex(c => c.Name == name));
-        json.WriteEndArray();
+        json.WriteArray("columns", new[] { AttributeNames.Red, AttributeNames.Green, AttributeNames.Blue },
+            name => json.WriteNumberValue(m_columns.FindIndex(c => c.Name == name)));
         json.WriteEndObject();
     }
 

@@ -116,17 +116,13 @@ sealed class ViewColumn
         };
         using var palette = Palettes.Create(mode, Allocator.Persistent);
         var counts = values.CountBy(v => v).ToDictionary();
-        json.WriteStartArray("categories");
-        foreach (double value in Values)
+        json.WriteObjects("categories", Values, value =>
         {
-            json.WriteStartObject();
             json.WriteNumber("value", value);
             json.WriteString("name", NameOf(Name, value));
             json.WriteString("color", Hex(palette[(int)Math.Clamp(value, 0, 65535) % Palettes.Length]));
             json.WriteNumber("count", counts.GetValueOrDefault(value));
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        });
     }
 
     public static string Hex(uint color) => $"{color & 255:x2}{color >> 8 & 255:x2}{color >> 16 & 255:x2}";

@@ -214,22 +214,11 @@ public sealed class ErrorStep
         json.WriteReal("flip", Floor.Flip);
         json.WriteReal("uncovered", Floor.Uncovered);
         json.WriteEndObject();
-        json.WriteStartArray("curves");
-        foreach (var curve in Curves)
+        json.WriteObjects("curves", Curves, curve =>
         {
-            json.WriteStartObject();
             json.WriteString("name", curve.Name);
-            json.WriteStartArray("waves");
-            foreach (var wave in curve.Waves)
-            {
-                json.WriteStartObject();
-                WriteValues(json, wave);
-                json.WriteEndObject();
-            }
-            json.WriteEndArray();
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+            json.WriteObjects("waves", curve.Waves, wave => WriteValues(json, wave));
+        });
         json.WriteEndObject();
         json.WriteString("report", ReportPath);
     }

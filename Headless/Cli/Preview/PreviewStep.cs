@@ -50,15 +50,11 @@ public sealed class PreviewStep
     {
         json.WriteInteger("points", Points);
         json.WriteInteger("bytesRead", BytesRead);
-        json.WriteStartArray("waves");
-        foreach (var wave in Waves)
+        json.WriteObjects("waves", Waves, wave =>
         {
-            json.WriteStartObject();
             json.WriteInteger("points", wave.Points);
             json.WriteReal("seconds", wave.Seconds);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        });
         Slices.WriteKey(json);
         Error?.WriteKeys(json);
     }

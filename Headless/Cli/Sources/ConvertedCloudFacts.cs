@@ -156,18 +156,14 @@ public sealed class ConvertedCloudFacts
         json.WriteNumber("nodes", m_manifest.NodeCount);
         json.WriteNumber("chunks", m_manifest.ChunkCount);
         json.WriteBoolean("isWhole", IsWhole);
-        json.WriteStartArray("levels");
-        for (int i = 0; i < m_levels.Count; i++)
+        json.WriteObjects("levels", Enumerable.Range(0, m_levels.Count), i =>
         {
-            json.WriteStartObject();
             json.WriteNumber("level", i);
             json.WriteNumber("nodes", m_levels[i].Nodes);
             json.WriteInteger("points", m_levels[i].Points);
             json.WriteNumber("mostPoints", m_levels[i].MaxPoints);
             json.WriteReal("spacing", m_levels[i].Spacing > 0 ? m_levels[i].Spacing : double.NaN);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        });
         json.WriteEndObject();
         json.WriteInteger("bytesOnDisk", m_bytes);
         json.WriteStartObject("bytesOfPlane");
@@ -176,16 +172,12 @@ public sealed class ConvertedCloudFacts
         json.WriteEndObject();
         json.WriteString("sampler", m_manifest.Sampler);
         json.WriteString("checksum", m_manifest.Checksum.ToString("x16", CultureInfo.InvariantCulture));
-        json.WriteStartArray("sources");
-        foreach (var source in m_sources)
+        json.WriteObjects("sources", m_sources, source =>
         {
-            json.WriteStartObject();
             json.WriteString("name", source.Name);
             json.WriteInteger("bytes", source.FileBytes);
             json.WriteInteger("points", source.Points);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        });
         json.WriteNumber("edits", m_edits);
         json.WriteNull("columnSums");
     }

@@ -197,15 +197,11 @@ public sealed class SourceFacts(PointReader reader)
 
     public static void WriteFacts(Utf8JsonWriter json, SourceInfo info)
     {
-        json.WriteStartArray("facts");
-        foreach (var fact in info.Facts)
+        json.WriteObjects("facts", info.Facts, fact =>
         {
-            json.WriteStartObject();
             json.WriteString("name", fact.Key);
             json.WriteString("value", fact.Value);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        });
     }
 
     internal static void WriteGpsTime(Utf8JsonWriter json, GpsTime time) =>
@@ -239,18 +235,14 @@ public sealed class SourceFacts(PointReader reader)
         json.WriteNumber("nodesWithoutPoints", tree.NodesWithoutPoints);
         json.WriteBoolean("isWhole", tree.IsHierarchyRead);
         json.WriteNumber("pages", tree.Pages);
-        json.WriteStartArray("levels");
-        foreach (var level in tree.Levels)
+        json.WriteObjects("levels", tree.Levels, level =>
         {
-            json.WriteStartObject();
             json.WriteNumber("level", level.Level);
             json.WriteNumber("nodes", level.Nodes);
             json.WriteInteger("points", level.Points);
             json.WriteNumber("mostPoints", level.MaxPoints);
             json.WriteReal("spacing", level.Spacing);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        });
         json.WriteEndObject();
     }
 
@@ -292,14 +284,12 @@ public sealed class SourceFacts(PointReader reader)
             json.WriteReal("gpsTimeSpan", time.Max - time.Min);
         json.WriteVector("scale", Info.Transform.Scale);
         json.WriteVector("offset", Info.Transform.Offset);
-        json.WriteStartArray("attributes");
-        for (int i = 0; i < Info.Schema.Count; i++)
+        json.WriteArray("attributes", Enumerable.Range(0, Info.Schema.Count), i =>
         {
             bool hasRange = Found != null && Found.Columns[i].Finite > 0;
             WriteAttribute(json, Info.Schema[i], hasRange ? Found!.Columns[i].Min : double.NaN,
                 hasRange ? Found!.Columns[i].Max : double.NaN);
-        }
-        json.WriteEndArray();
+        });
         WriteCrs(json, Info.Crs.ToCloudCrs(), Info.BoundsIfFinite);
         WriteGpsTime(json, Info.GpsTime);
         WriteFacts(json, Info);

@@ -12,10 +12,8 @@ public static class StabilityTable
         var results = new List<StabilityRun>();
         run.WriteKeys = json =>
         {
-            json.WriteStartArray("cases");
-            foreach (var result in results)
+            json.WriteObjects("cases", results, result =>
             {
-                json.WriteStartObject();
                 json.WriteString("name", result.Name);
                 json.WriteBoolean("ok", result.Problems.Count == 0);
                 foreach (var stage in result.Stages)
@@ -27,9 +25,7 @@ public static class StabilityTable
                     json.WriteInteger("residentBytes", stage.ResidentBytes);
                     json.WriteEndObject();
                 }
-                json.WriteEndObject();
-            }
-            json.WriteEndArray();
+            });
         };
         try
         {

@@ -136,10 +136,8 @@ public sealed class BenchVerb : Verb
 
     static void WriteJson(Utf8JsonWriter json, List<WorkloadSamples> results)
     {
-        json.WriteStartArray("workloads");
-        foreach (var samples in results)
+        json.WriteObjects("workloads", results, samples =>
         {
-            json.WriteStartObject();
             json.WriteString("name", samples.Name);
             json.WriteReal("ms", samples.MedianMs);
             json.WriteReal("pointsPerSecond", samples.MedianPointsPerSecond);
@@ -148,8 +146,6 @@ public sealed class BenchVerb : Verb
             json.WriteInteger("garbageBytes", (long)Math.Round(samples.MedianGarbageBytes));
             if (samples.Note != null)
                 json.WriteString("note", samples.Note);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        });
     }
 }

@@ -28,7 +28,7 @@ public sealed class CommitVerb : Verb
                 json.WriteInteger("nodes", manifest.NodeCount);
                 json.WriteString("checksum", PlanFile.ToHex(manifest.Checksum));
             }
-            PlanFile.WriteTexts(json, "missing", task.Missing);
+            json.WriteArray("missing", task.Missing, json.WriteStringValue);
         };
         manifest = task.FindCommitted();
         bool wasDone = manifest != null;

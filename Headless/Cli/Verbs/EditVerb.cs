@@ -175,33 +175,21 @@ public sealed class EditVerb : Verb
             json.WriteInteger("pointsChanged", done.PointsChanged);
         else
             json.WriteNull("pointsChanged");
-        json.WriteStartArray("operations");
-        for (int i = 0; i < journal.Operations.Count; i++)
+        json.WriteObjects("operations", Enumerable.Range(0, journal.Operations.Count), i =>
         {
             var operation = journal.Operations[i];
-            json.WriteStartObject();
             json.WriteString("do", operation.Name);
             if (operation.Action == EditAction.Classify)
                 json.WriteNumber("class", operation.Value[0]);
             if (operation.Action == EditAction.Color)
-            {
-                json.WriteStartArray("colour");
-                foreach (byte value in operation.Value)
-                    json.WriteNumberValue(value);
-                json.WriteEndArray();
-            }
+                json.WriteArray("colour", operation.Value, value => json.WriteNumberValue(value));
             json.WriteNumber("boxes", operation.Boxes.Count);
             json.WriteNumber("spheres", operation.Balls.Count);
             json.WriteNumber("rings", operation.Rings.Count);
-            json.WriteStartArray("where");
-            foreach (var condition in operation.Conditions)
-                json.WriteStringValue(condition.Text);
-            json.WriteEndArray();
+            json.WriteArray("where", operation.Conditions, condition => json.WriteStringValue(condition.Text));
             json.WriteInteger("pointsChanged", operation.PointsChanged);
             json.WriteBoolean("undone", i >= journal.Count);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        });
     }
 
     static void Write(TextWriter writer, string cloud, EditJournal journal, EditOperation? done, string action)

@@ -251,16 +251,12 @@ public sealed class FlyVerb : Verb
         json.WriteInteger("poolBytesPeak", log.PoolBytesPeak);
         json.WriteReal("secondsToFull", log.SecondsToFull);
         json.WriteReal("secondsTo95", log.SecondsTo95);
-        json.WriteStartArray("cuts");
-        foreach (var (frame, toFull, bytes) in log.Cuts())
+        json.WriteObjects("cuts", log.Cuts(), cut =>
         {
-            json.WriteStartObject();
-            json.WriteInteger("frame", frame);
-            json.WriteInteger("framesToFull", toFull);
-            json.WriteInteger("bytes", bytes);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+            json.WriteInteger("frame", cut.Frame);
+            json.WriteInteger("framesToFull", cut.FramesToFull);
+            json.WriteInteger("bytes", cut.Bytes);
+        });
         json.WriteReal("disposeMs", disposeMs);
         log.Popping?.WriteKey(json, "popping");
         log.PoppingWhenLoaded?.WriteKey(json, "poppingWhenLoaded");

@@ -48,9 +48,7 @@ public sealed class PublishVerb : Verb
         {
             json.WriteInteger("files", files.Count);
             json.WriteInteger("bytes", bytes);
-            json.WriteStartArray("problems");
-            problems.ForEach(json.WriteStringValue);
-            json.WriteEndArray();
+            json.WriteArray("problems", problems, json.WriteStringValue);
         };
         if (cloud.IsUnfinished)
             problems.Add("it is being built: its files will change their names");

@@ -84,19 +84,13 @@ public sealed class VerifyVerb : Verb
     static void WriteKeys(Utf8JsonWriter json, VerifyResult result, List<LevelSpacing> spacings)
     {
         json.WriteBoolean("ok", result.Ok);
-        json.WriteStartArray("problems");
-        foreach (string problem in result.Problems)
-            json.WriteStringValue(problem);
-        json.WriteEndArray();
+        json.WriteArray("problems", result.Problems, json.WriteStringValue);
         json.WriteInteger("points", result.Points);
-        json.WriteStartArray("levels");
-        for (int level = 0; level < result.Levels.Count; level++)
+        var withNodes = Enumerable.Range(0, result.Levels.Count).Where(level => result.Levels[level].Nodes > 0);
+        json.WriteObjects("levels", withNodes, level =>
         {
             var at = result.Levels[level];
             var near = SpacingOf(spacings, level);
-            if (at.Nodes == 0)
-                continue;
-            json.WriteStartObject();
             json.WriteInteger("level", level);
             json.WriteInteger("nodes", at.Nodes);
             json.WriteInteger("points", at.Points);
@@ -105,9 +99,7 @@ public sealed class VerifyVerb : Verb
             WriteLength(json, "minDistanceAcrossChunks", near.MinDistanceAcrossChunks);
             WriteLength(json, "shareNearAcrossChunks",
                 at.SampledPoints > 0 ? near.NearAcrossChunks / (double)at.SampledPoints : double.NaN);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+        });
     }
 
     static void WriteLength(Utf8JsonWriter json, string key, double value)

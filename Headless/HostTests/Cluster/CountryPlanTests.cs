@@ -118,7 +118,7 @@ public sealed class CountryPlanTests
             json.WriteString("path", "s3://usgs-lidar/Projects/STATE_County_QL2_2021_D21/LAZ/tile_123456_123456.laz");
             json.WriteNumber("bytes", 123456789);
             json.WriteStartArray("blocks");
-            PlanFile.WriteNumbers(json, 0, 15, 1);
+            json.WriteNumbers(0, 15, 1);
             json.WriteEndArray();
             json.WriteEndObject();
         }

@@ -55,6 +55,16 @@ abstract class RemoteFixture
     // Who reads does not wait until what came is in the cache.
     protected static void AwaitCache() => SpinWait.SpinUntil(() => RangeQueue.InFlight == 0, 10_000);
 
+    // Of any format that can be exported.
+    protected string Demo(string name, int points)
+    {
+        string las = Scratch.Demo("served/" + name[..name.IndexOf('.')] + ".las", points);
+        string made = Scratch["served/" + name];
+        if (made != las)
+            Assert.That(CliCall.Of("export", las, "-o", made, "--quiet").Status, Is.Zero);
+        return made;
+    }
+
     // Returns the file's bytes.
     protected byte[] Make(string name, int length, int seed = 1)
     {

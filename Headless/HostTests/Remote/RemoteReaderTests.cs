@@ -103,16 +103,6 @@ sealed class RemoteReaderTests : RemoteFixture
         Assert.That(sample.Distinct().Count(), Is.GreaterThan(sample.Count * 9 / 10));
     }
 
-    string Demo(string name, int points)
-    {
-        string las = Scratch.Demo("served/demo.las", points);
-        if (name == "demo.las")
-            return las;
-        string laz = Scratch["served/" + name];
-        Assert.That(CliCall.Of("export", las, "-o", laz, "--quiet").Status, Is.Zero);
-        return laz;
-    }
-
     static List<(double, double, double)> PositionsOf(PointBatch batch)
     {
         var columns = new[] { AttributeNames.X, AttributeNames.Y, AttributeNames.Z }

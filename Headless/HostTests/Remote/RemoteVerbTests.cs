@@ -14,16 +14,6 @@ sealed class RemoteVerbTests : RemoteFixture
     [SetUp]
     public void Trust() => RemoteSettings.Current = new RemoteSettings { ConfirmedMs = 60_000 };
 
-    string Make(string name, int points)
-    {
-        string las = Scratch.Demo("served/scan.las", points);
-        if (name == "scan.las")
-            return las;
-        string made = Scratch["served/" + name];
-        Assert.That(CliCall.Of("export", las, "-o", made, "--quiet").Status, Is.Zero);
-        return made;
-    }
-
     CliCall Call(params string[] args)
     {
         var call = CliCall.Of([.. args, "--json", "-", "--quiet"]);
@@ -52,7 +42,7 @@ sealed class RemoteVerbTests : RemoteFixture
     [TestCase("scan.ply", "info --scan")]
     public void Info_ByAddress_SaysWhatItSaysOfTheDisk(string name, string verb)
     {
-        string path = Make(name, 30_000);
+        string path = Demo(name, 30_000);
         var local = Call([.. verb.Split(' '), path]);
         StartAnew();
         AssertSame(Call([.. verb.Split(' '), Server.Of(name) + Secret]), local);
@@ -65,7 +55,7 @@ sealed class RemoteVerbTests : RemoteFixture
     [TestCase("scan.copc.laz", "picture --budget 5000")]
     public void Picture_ByAddress_HasThePixelsOfTheDisk(string name, string verb)
     {
-        string path = Make(name, 30_000), here = Scratch["here.png"], there = Scratch["there.png"];
+        string path = Demo(name, 30_000), here = Scratch["here.png"], there = Scratch["there.png"];
         var local = Call([.. verb.Split(' '), path, "--size", "160x120", "-o", here]);
         StartAnew();
         AssertSame(Call([.. verb.Split(' '), Server.Of(name) + Secret, "--size", "160x120", "-o", there]), local);
@@ -76,7 +66,7 @@ sealed class RemoteVerbTests : RemoteFixture
     [TestCase("scan.copc.laz")]
     public void Convert_ByAddress_MakesTheSameCloud(string name)
     {
-        string path = Make(name, 60_000), here = Scratch["here.fastpoints"], there = Scratch["there.fastpoints"];
+        string path = Demo(name, 60_000), here = Scratch["here.fastpoints"], there = Scratch["there.fastpoints"];
         var local = Call("convert", path, "-o", here);
         StartAnew();
         AssertSame(Call("convert", Server.Of(name) + Secret, "-o", there), local);
@@ -90,7 +80,7 @@ sealed class RemoteVerbTests : RemoteFixture
     [TestCase("scan.copc.laz", "there.las")]
     public void Export_ByAddress_WritesTheSameFile(string name, string to)
     {
-        string path = Make(name, 30_000);
+        string path = Demo(name, 30_000);
         var local = Call("export", path, "-o", Scratch["here" + Path.GetExtension(to)]);
         StartAnew();
         AssertSame(Call("export", Server.Of(name) + Secret, "-o", Scratch[to]), local);
@@ -122,7 +112,7 @@ sealed class RemoteVerbTests : RemoteFixture
     [TestCase("demo-cloud", "there.las")]
     public void Output_ToAnAddress_IsAUsageErrorBeforeAnyWork(string verb, string name)
     {
-        string[] source = verb == "demo-cloud" ? [] : [Make("scan.las", 1000)];
+        string[] source = verb == "demo-cloud" ? [] : [Demo("scan.las", 1000)];
         var call = CliCall.Of([verb, .. source, "-o", Server.Of(name) + Secret, "--quiet"]);
         Assert.That(call.Status, Is.EqualTo(ExitStatus.Usage), call.Error);
         Assert.That(call.Error, Does.Contain("nothing is written to servers").And.Not.Contain("secret"));
@@ -143,7 +133,7 @@ sealed class RemoteVerbTests : RemoteFixture
     [Test]
     public void Report_ByAddress_IsNamedByItsFile()
     {
-        Make("scan.laz", 5000);
+        Demo("scan.laz", 5000);
         string folder = Scratch["report"];
         Call(Server.Of("scan.laz") + Secret, "-o", folder);
         Assert.That(Directory.Exists(Path.Combine(folder, "scan.fastpoints")), Is.True);
@@ -156,7 +146,7 @@ sealed class RemoteVerbTests : RemoteFixture
     [Test]
     public void Cache_Clear_EmptiesIt()
     {
-        Make("scan.laz", 30_000);
+        Demo("scan.laz", 30_000);
         Call("info", "--scan", Server.Of("scan.laz"));
         Assert.That(Call("cache").Json.GetProperty("entries").GetInt64(), Is.Positive);
         Call("cache", "--clear");

@@ -30,12 +30,7 @@ namespace FastPoints.Evaluation
             m_cloud = cloud;
             m_plan = plan;
             var layout = stream.Clouds[cloud].Source.Layout;
-            var attributes = new List<PointAttribute>
-            {
-                new PointAttribute(AttributeNames.X, AttributeType.Float64),
-                new PointAttribute(AttributeNames.Y, AttributeType.Float64),
-                new PointAttribute(AttributeNames.Z, AttributeType.Float64),
-            };
+            var attributes = new List<PointAttribute>(PositionColumns.Attributes(AttributeType.Float64));
             var columns = new List<StoredColumn>();
             foreach (int plane in stream.Clouds[cloud].Source.Planes)
             {

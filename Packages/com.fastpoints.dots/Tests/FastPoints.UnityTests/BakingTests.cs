@@ -29,11 +29,8 @@ namespace FastPoints.UnityTests
 
             yield return TestProject.EnterPlayMode();
             var deadline = TestProject.Deadline();
-            while (TestProject.CloudFiles() == 0)
-            {
-                TestProject.AssertBefore(deadline, "the subscene");
+            while (TestProject.Awaits(TestProject.CloudFiles() == 0, deadline, "the subscene"))
                 yield return null;
-            }
             Assert.That(TestProject.CloudFiles(), Is.EqualTo(1));
             yield return new ExitPlayMode();
         }

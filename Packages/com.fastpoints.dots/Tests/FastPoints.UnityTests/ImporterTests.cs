@@ -20,19 +20,14 @@ namespace FastPoints.UnityTests
             AssetDatabase.Refresh();
             TestProject.Claim(asset);
             var deadline = TestProject.Deadline();
-            while (AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset) == null)
-            {
-                TestProject.AssertBefore(deadline, "the import of " + asset);
+            while (TestProject.Awaits(AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset) == null, deadline,
+                "the import of " + asset))
                 yield return null;
-            }
 
             Assert.That(AssetDatabase.GetImporterType(asset), Is.EqualTo(typeof(PointFileImporter)));
             Assert.That(AssetDatabase.GetImporterOverride(asset), Is.EqualTo(typeof(PointFileImporter)));
-            while (TestProject.IsConverting)
-            {
-                TestProject.AssertBefore(deadline, "the conversion of " + asset);
+            while (TestProject.Awaits(TestProject.IsConverting, deadline, "the conversion of " + asset))
                 yield return null;
-            }
             var cloud = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(asset);
             Assert.That(Path.Combine(TestProject.ConvertedFolder(cloud), StoreFormat.ManifestName), Does.Exist);
         }
@@ -43,11 +38,8 @@ namespace FastPoints.UnityTests
             const int Points = 30_000;
             string path = AssetDatabase.GetAssetPath(TestProject.TakeScan(Points));
             var deadline = TestProject.Deadline();
-            while (TestProject.IsConverting)
-            {
-                TestProject.AssertBefore(deadline, "the conversion of " + path);
+            while (TestProject.Awaits(TestProject.IsConverting, deadline, "the conversion of " + path))
                 yield return null;
-            }
 
             Assert.That(AssetDatabase.GetImporterType(path), Is.EqualTo(typeof(HandleImporter)));
             var asset = AssetDatabase.LoadAssetAtPath<PointCloudAsset>(path);

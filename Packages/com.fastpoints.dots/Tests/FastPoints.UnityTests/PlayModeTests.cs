@@ -26,23 +26,19 @@ namespace FastPoints.UnityTests
             PointCloudDrops.AddToScene(TestProject.TakeScan(), Vector3.zero, null).gameObject.name = CloudName;
             EditorSceneManager.SaveScene(scene, TestProject.Scene);
             var deadline = TestProject.Deadline();
-            while (TestProject.IsConverting)
-            {
-                TestProject.AssertBefore(deadline, "the conversion");
+            while (TestProject.Awaits(TestProject.IsConverting, deadline, "the conversion"))
                 yield return null;
-            }
 
             yield return TestProject.EnterPlayMode();
             deadline = TestProject.Deadline();
-            while (TestProject.DrawnNodes() == 0)
+            while (TestProject.Awaits(TestProject.DrawnNodes() == 0, deadline, "the first drawn node"))
             {
-                TestProject.AssertBefore(deadline, "the first drawn node");
                 TestProject.Draw();
                 yield return null;
             }
-            while (PointScene.Current.RecordedPictures == 0)
+            while (TestProject.Awaits(PointScene.Current.RecordedPictures == 0, deadline,
+                "the first picture that the pass of the project's pipeline records"))
             {
-                TestProject.AssertBefore(deadline, "the first picture that the pass of the project's pipeline records");
                 TestProject.Draw();
                 yield return null;
             }
@@ -64,11 +60,8 @@ namespace FastPoints.UnityTests
             yield return null;
             yield return new ExitPlayMode();
             var deadline = TestProject.Deadline();
-            while (TestProject.IsConverting)
-            {
-                TestProject.AssertBefore(deadline, "the conversion");
+            while (TestProject.Awaits(TestProject.IsConverting, deadline, "the conversion"))
                 yield return null;
-            }
 
             string[] made = AssetDatabase.FindAssets("t:" + nameof(PointCloudAsset), new[] { TestProject.Folder });
             Assert.That(made, Has.Length.EqualTo(1));

@@ -21,11 +21,8 @@ namespace FastPoints.UnityTests
             PointCloudDrops.AddToScene(asset, Vector3.zero, null);
             EditorSceneManager.SaveScene(scene, TestProject.Scene);
             var deadline = TestProject.Deadline();
-            while (TestProject.IsConverting)
-            {
-                TestProject.AssertBefore(deadline, "the conversion");
+            while (TestProject.Awaits(TestProject.IsConverting, deadline, "the conversion"))
                 yield return null;
-            }
 
             string folder = FileUtil.GetUniqueTempPathInProject();
             try

@@ -108,8 +108,13 @@ namespace FastPoints.UnityTests
 
         public static DateTime Deadline() => DateTime.UtcNow.AddSeconds(PatienceSeconds);
 
-        public static void AssertBefore(DateTime deadline, string what) =>
-            Assert.That(DateTime.UtcNow, Is.LessThan(deadline), what + " took longer than anyone waits");
+        /// <summary>Whether a test still waits for something; fails after the deadline.</summary>
+        public static bool Awaits(bool isPending, DateTime deadline, string what)
+        {
+            if (isPending)
+                Assert.That(DateTime.UtcNow, Is.LessThan(deadline), what + " took longer than anyone waits");
+            return isPending;
+        }
 
         public static int DrawnNodes() => (PointCloudSystemGroup.ObjectWorld ?? World.DefaultGameObjectInjectionWorld)
             ?.GetExistingSystemManaged<PointCloudSystemGroup>()?.Stats.DrawnNodes ?? 0;

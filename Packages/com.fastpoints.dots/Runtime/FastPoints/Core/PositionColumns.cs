@@ -13,6 +13,13 @@ namespace FastPoints
         public PointColumn Y;
         public PointColumn Z;
 
+        public static PointAttribute[] Attributes(AttributeType type) => new[]
+        {
+            new PointAttribute(AttributeNames.X, type),
+            new PointAttribute(AttributeNames.Y, type),
+            new PointAttribute(AttributeNames.Z, type),
+        };
+
         public static PositionColumns Of(PointBatch batch)
         {
             int x = batch.Schema.IndexOf(AttributeNames.X);

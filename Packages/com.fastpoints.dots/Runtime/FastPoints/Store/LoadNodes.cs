@@ -19,12 +19,7 @@ namespace FastPoints.Store
         /// <summary>The schema of the batch: positions, and those of the wanted attributes that the cloud has.</summary>
         public static PointSchema SchemaFor(CloudFolder folder, params string[] wanted)
         {
-            var attributes = new List<PointAttribute>
-            {
-                new PointAttribute(AttributeNames.X, AttributeType.Float64),
-                new PointAttribute(AttributeNames.Y, AttributeType.Float64),
-                new PointAttribute(AttributeNames.Z, AttributeType.Float64),
-            };
+            var attributes = new List<PointAttribute>(PositionColumns.Attributes(AttributeType.Float64));
             attributes.AddRange(folder.Manifest.Attributes.Select(wanted));
             return new PointSchema(attributes);
         }

@@ -194,12 +194,8 @@ namespace FastPoints.Tests.Build
             x[17] = float.NaN;
             y[1234] = float.PositiveInfinity;
             z[4999] = float.NegativeInfinity;
-            var reader = new MemoryReader(new PointSchema(new[]
-            {
-                new PointAttribute(AttributeNames.X, AttributeType.Float32),
-                new PointAttribute(AttributeNames.Y, AttributeType.Float32),
-                new PointAttribute(AttributeNames.Z, AttributeType.Float32),
-            }), PositionTransform.Identity, 700, x, y, z);
+            var reader = new MemoryReader(new PointSchema(PositionColumns.Attributes(AttributeType.Float32)),
+                PositionTransform.Identity, 700, x, y, z);
             var made = Prove(reader);
             Assert.That(made.Manifest.PointsLeftOut, Is.EqualTo(3));
             Assert.That(made.Manifest.Grid.Step.z, Is.EqualTo(1 / 16.0));

@@ -23,7 +23,7 @@ namespace FastPoints.Tests.Build
                 positions[i] = random.NextInt3(100000);
             var transform = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01) };
             using PointReader reader = hasColor ? MemoryReader.Of(positions, transform)
-                : new MemoryReader(new PointSchema(TestBatches.Xyz(AttributeType.Int32).Append(
+                : new MemoryReader(new PointSchema(PositionColumns.Attributes(AttributeType.Int32).Append(
                     new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16)).ToList()), transform, 1000,
                     positions.Select(p => p.x).ToArray(), positions.Select(p => p.y).ToArray(),
                     positions.Select(p => p.z).ToArray(), positions.Select(p => (ushort)p.x).ToArray());

@@ -2,7 +2,6 @@ using System;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
-using System.Threading;
 using FastPoints.Entities;
 using FastPoints.Streaming;
 using FastPoints.Tests.Streaming;
@@ -12,21 +11,14 @@ using Unity.Collections.LowLevel.Unsafe;
 using Unity.Entities;
 using Unity.Mathematics;
 using Unity.Transforms;
-using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.Tests.Entities
 {
-    public sealed class CloudCopiesTests
+    public sealed class CloudCopiesTests : CloudWorldFixture
     {
         public enum Moment { Waiting, Opening, Opened, Shown }
 
-        static readonly TimeSpan s_maxTime = TimeSpan.FromMinutes(2);
-
         StreamedTestCloud m_cloud;
-        World m_world;
-        PointCloudSystemGroup m_group;
-
-        EntityManager Entities => m_world.EntityManager;
 
         [OneTimeSetUp]
         public void MakeCloud() => m_cloud = new StreamedTestCloud(4000, 2000);
@@ -35,63 +27,24 @@ namespace FastPoints.Tests.Entities
         public void DeleteCloud() => m_cloud.Dispose();
 
         [SetUp]
-        public void Begin() => m_group = Begin(out m_world);
-
-        [TearDown]
-        public void EndWorld()
+        public void Begin()
         {
-            if (m_world.IsCreated)
-                m_world.Dispose();
+            MakeWorld();
+            Group.Begin(new MemoryNodePool(64 << 20, 1 << 20));
         }
 
-        static PointCloudSystemGroup Begin(out World world)
-        {
-            world = new World("clouds");
-            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(world, typeof(PointCloudSystemGroup),
-                typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ReceiveNodesSystem),
-                typeof(SelectNodesSystem), typeof(UploadNodesSystem), typeof(RequestNodesSystem), typeof(ListNodesSystem));
-            var group = world.GetExistingSystemManaged<PointCloudSystemGroup>();
-            group.Begin(new MemoryNodePool(64 << 20, 1 << 20));
-            return group;
-        }
-
-        Entity Add(string path, params ComponentType[] more)
-        {
-            var entity = Entities.CreateEntity(more);
-            Entities.AddComponentData(entity, new PointCloudFile());
-            new PointCloudPaths { Path = path }.WriteTo(Entities.AddBuffer<PointCloudPathByte>(entity));
-            Entities.AddComponentData(entity, new LocalToWorld { Value = float4x4.identity });
-            return entity;
-        }
-
-        void Frame() => Frame(m_world, m_group);
-
-        static void Frame(World world, PointCloudSystemGroup group)
-        {
-            var camera = Camera.Perspective(new double3(0, 180, -260), new double3(0, 0, 0), new double3(0, 1, 0), 60);
-            group.Views.Add(camera.ToStreamView(StreamedTestCloud.WidthPx, StreamedTestCloud.HeightPx));
-            world.Update();
-            Thread.Yield();
-        }
-
-        void Frames(Func<bool> isDone) => Frames(m_world, m_group, isDone);
-
-        static void Frames(World world, PointCloudSystemGroup group, Func<bool> isDone)
-        {
-            for (var watch = Stopwatch.StartNew(); watch.Elapsed < s_maxTime && !isDone();)
-                Frame(world, group);
-            Assert.That(isDone(), Is.True, "nothing came of it");
-        }
+        Entity Add(string path, params ComponentType[] more) =>
+            AddFile(new PointCloudPaths { Path = path }, float4x4.identity, more);
 
         bool IsStreamed(Entity entity) => Entities.HasComponent<StreamedPointCloud>(entity);
 
-        int StreamedCount => m_group.Stream.Clouds.Count(c => c != null && !c.IsRemoving);
+        int StreamedCount => Group.Stream.Clouds.Count(c => c != null && !c.IsRemoving);
 
         long PointsDrawn()
         {
             Frame();
-            Frames(() => m_group.Stats.IsSettled && !m_group.IsOpening && !m_group.Stream.IsRemovingAny);
-            return m_group.Stats.DrawnPoints;
+            Frames(() => Group.Stats.IsSettled && !Group.IsOpening && !Group.Stream.IsRemovingAny);
+            return Group.Stats.DrawnPoints;
         }
 
         void Reach(Entity entity, Moment moment)
@@ -99,8 +52,8 @@ namespace FastPoints.Tests.Entities
             if (moment == Moment.Opening)
                 Frame();
             else if (moment == Moment.Opened)
-                while (m_group.Live.Find(entity)?.NextSource == null)
-                    m_world.GetExistingSystemManaged<OpenCloudsSystem>().Update();
+                while (Group.Live.Find(entity)?.NextSource == null)
+                    World.GetExistingSystemManaged<OpenCloudsSystem>().Update();
             else if (moment == Moment.Shown)
                 PointsDrawn();
         }
@@ -124,7 +77,7 @@ namespace FastPoints.Tests.Entities
             Frame();
             Assert.That(Entities.Exists(copy) || Entities.Exists(first), Is.False);
             Assert.That(PointsDrawn(), Is.Zero);
-            Assert.That(m_group.Stream.Pool.UsedBytes, Is.Zero);
+            Assert.That(Group.Stream.Pool.UsedBytes, Is.Zero);
         }
 
         [Test]
@@ -134,17 +87,17 @@ namespace FastPoints.Tests.Entities
             string away = cloud.Path + ".away";
             Directory.Move(cloud.Path, away);
             var first = Add(cloud.Path);
-            Frames(() => m_group.ErrorOf(first) != null);
+            Frames(() => Group.ErrorOf(first) != null);
             var copy = Entities.Instantiate(first);
-            Assert.That(m_group.ErrorOf(copy), Is.Null);
-            Frames(() => m_group.ErrorOf(copy) != null);
+            Assert.That(Group.ErrorOf(copy), Is.Null);
+            Frames(() => Group.ErrorOf(copy) != null);
             Directory.Move(away, cloud.Path);
             Entities.SetComponentData(copy, new PointCloudFile { NeedsRefresh = true });
             Frames(() => IsStreamed(copy));
-            Assert.That((m_group.ErrorOf(copy), IsStreamed(first)), Is.EqualTo(((string)null, false)));
-            Assert.That(m_group.ErrorOf(first), Is.Not.Null);
-            Assert.That(m_group.ErrorOf(Entity.Null), Is.Null);
-            m_world.Dispose();
+            Assert.That((Group.ErrorOf(copy), IsStreamed(first)), Is.EqualTo(((string)null, false)));
+            Assert.That(Group.ErrorOf(first), Is.Not.Null);
+            Assert.That(Group.ErrorOf(Entity.Null), Is.Null);
+            World.Dispose();
         }
 
         [Test]
@@ -157,7 +110,7 @@ namespace FastPoints.Tests.Entities
             linked.Add(new LinkedEntityGroup { Value = child });
             for (int i = 0; i < 20; i++)
                 Frame();
-            Assert.That(m_group.Live.Find(child), Is.Null);
+            Assert.That(Group.Live.Find(child), Is.Null);
             Entity Instance() => Entities.GetBuffer<LinkedEntityGroup>(Entities.Instantiate(root), true)[1].Value;
             Entity first = Instance(), second = Instance();
             Frames(() => IsStreamed(first) && IsStreamed(second));
@@ -192,8 +145,8 @@ namespace FastPoints.Tests.Entities
             Assert.That(StreamedCount, Is.EqualTo(Count));
             using var all = streamed.ToEntityArray(Allocator.Temp);
             Entities.DestroyEntity(all);
-            Frames(() => StreamedCount == 0 && !m_group.Stream.IsRemovingAny);
-            Assert.That(m_group.Stream.Pool.UsedBytes, Is.Zero);
+            Frames(() => StreamedCount == 0 && !Group.Stream.IsRemovingAny);
+            Assert.That(Group.Stream.Pool.UsedBytes, Is.Zero);
         }
 
         [Test]
@@ -201,21 +154,21 @@ namespace FastPoints.Tests.Entities
         {
             var first = Add(m_cloud.Path);
             PointsDrawn();
-            var group = Begin(out var other);
+            var firstWorld = World;
+            Begin();
             try
             {
                 using var sources = new NativeArray<Entity>(new[] { first }, Allocator.Temp);
                 using var copies = new NativeArray<Entity>(1, Allocator.Temp);
-                other.EntityManager.CopyEntitiesFrom(Entities, sources, copies);
-                Frames(other, group, () => other.EntityManager.HasComponent<StreamedPointCloud>(copies[0]));
-                Assert.That(IsStreamed(first), Is.True);
-                m_world.Dispose();
-                Frames(other, group, () => group.Stats.IsSettled && group.Stats.DrawnPoints > 0);
+                Entities.CopyEntitiesFrom(firstWorld.EntityManager, sources, copies);
+                Frames(() => IsStreamed(copies[0]));
+                Assert.That(firstWorld.EntityManager.HasComponent<StreamedPointCloud>(first), Is.True);
             }
             finally
             {
-                other.Dispose();
+                firstWorld.Dispose();
             }
+            Frames(() => Group.Stats.IsSettled && Group.Stats.DrawnPoints > 0);
         }
 
         /// <summary>Such entities come from MoveEntitiesFrom and world serialization.</summary>
@@ -240,27 +193,19 @@ namespace FastPoints.Tests.Entities
         public void Instantiate_CloudWithItsOwnSource_DoesNotShareIt()
         {
             UnsafeUtility.ForgiveLeaks();
-            Entity Sourced()
-            {
-                var source = m_cloud.Open();
-                var entity = Entities.CreateEntity(ComponentType.ReadWrite<PointCloudPlacement>());
-                Entities.SetComponentData(entity, new PointCloudPlacement { Value = StreamedTestCloud.Geo(source) });
-                m_group.SetSource(entity, source);
-                return entity;
-            }
-            var first = Sourced();
+            var first = AddSource(m_cloud);
             var early = Entities.Instantiate(first);
             Frames(() => IsStreamed(first));
             var late = Entities.Instantiate(first);
             Frame();
             Assert.That((IsStreamed(early), IsStreamed(late), IsStreamed(first)), Is.EqualTo((false, false, true)));
-            m_group.SetSource(late, m_cloud.Open());
-            m_group.SetSource(late, m_cloud.Open());
+            Group.SetSource(late, m_cloud.Open());
+            Group.SetSource(late, m_cloud.Open());
             Frame();
             Assert.That(IsStreamed(late), Is.True);
-            Entities.DestroyEntity(Sourced());
+            Entities.DestroyEntity(AddSource(m_cloud));
             Frame();
-            m_world.Dispose();
+            World.Dispose();
             Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
         }
 

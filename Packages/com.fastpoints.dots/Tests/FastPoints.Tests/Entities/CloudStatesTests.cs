@@ -1,7 +1,6 @@
 using System;
 using System.Diagnostics;
 using System.IO;
-using System.Threading;
 using FastPoints.Drawing;
 using FastPoints.Entities;
 using FastPoints.Sources;
@@ -14,74 +13,34 @@ using Unity.Collections.LowLevel.Unsafe;
 using Unity.Entities;
 using Unity.Mathematics;
 using Unity.Transforms;
-using Camera = FastPoints.Picture.Camera;
 
 namespace FastPoints.Tests.Entities
 {
-    public sealed class CloudStatesTests
+    public sealed class CloudStatesTests : CloudWorldFixture
     {
         static readonly TimeSpan s_maxTime = TimeSpan.FromMinutes(1);
 
-        World m_world;
-        PointCloudSystemGroup m_group;
         Entity m_cloud;
-
-        EntityManager Entities => m_world.EntityManager;
 
         StreamedPointCloud Streamed => Entities.GetComponentData<StreamedPointCloud>(m_cloud);
 
         [SetUp]
-        public void MakeWorld()
+        public void Begin()
         {
-            m_world = new World("clouds");
-            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
-                typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem), typeof(ReceiveNodesSystem),
-                typeof(SelectNodesSystem), typeof(UploadNodesSystem), typeof(RequestNodesSystem), typeof(ListNodesSystem),
-                typeof(TrackNodesSystem));
-            m_group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
-            m_group.Begin(new MemoryNodePool(64 << 20, 1 << 20));
-            m_group.Stream.Settings.Selection = StreamedTestCloud.Selection;
+            MakeWorld(typeof(TrackNodesSystem));
+            Group.Begin(new MemoryNodePool(64 << 20, 1 << 20));
+            Group.Stream.Settings.Selection = StreamedTestCloud.Selection;
         }
 
         [TearDown]
-        public void EndWorld()
-        {
-            if (m_world.IsCreated)
-                m_world.Dispose();
-            CloudFeeds.Register(null);
-        }
+        public void ForgetFeeds() => CloudFeeds.Register(null);
 
-        void Add(PointCloudPaths paths)
-        {
-            m_cloud = Entities.CreateEntity();
-            Entities.AddComponentData(m_cloud, new PointCloudFile());
-            paths.WriteTo(Entities.AddBuffer<PointCloudPathByte>(m_cloud));
-            Entities.AddComponentData(m_cloud, new LocalToWorld { Value = float4x4.identity });
-        }
+        void Add(PointCloudPaths paths) => m_cloud = AddFile(paths, float4x4.identity);
 
         static PointCloudPaths PathsOf(GrowingCloud cloud) =>
             new PointCloudPaths { Path = cloud.Folder, PlayerSource = cloud.Source };
 
-        FrameStats Frame()
-        {
-            var camera = Camera.Perspective(new double3(0, 180, -260), new double3(0, 0, 0), new double3(0, 1, 0), 60);
-            m_group.Views.Add(camera.ToStreamView(StreamedTestCloud.WidthPx, StreamedTestCloud.HeightPx));
-            m_world.Update();
-            return m_group.Stats;
-        }
-
-        void Frames(Func<bool> isDone, Action more = null)
-        {
-            for (var watch = Stopwatch.StartNew(); watch.Elapsed < s_maxTime && !isDone();)
-            {
-                Frame();
-                more?.Invoke();
-                Thread.Yield();
-            }
-            Assert.That(isDone(), Is.True, "nothing came of it");
-        }
-
-        string Error => m_group.ErrorOf(m_cloud);
+        string Error => Group.ErrorOf(m_cloud);
 
         bool IsStreamed => Entities.HasComponent<StreamedPointCloud>(m_cloud);
 
@@ -90,15 +49,15 @@ namespace FastPoints.Tests.Entities
         {
             using var cloud = new GrowingCloud();
             Add(PathsOf(cloud));
-            Frames(() => m_group.Stats.DrawnPoints > 0);
+            Frames(() => Group.Stats.DrawnPoints > 0);
             var space = Entities.GetComponentData<PointCloudSpace>(m_cloud).Value;
             Assert.That(cloud.IsBuilt, Is.False);
             // Beside a build all of the preview has room.
-            m_group.Stream.Settings.Selection.PointBudget = 10_000_000;
-            m_group.Stream.Settings.Selection.MinScreenErrorPx = 0;
-            m_group.Stream.Settings.Selection.MinNodePx = 0;
-            Frames(() => m_group.Stats.DrawnPoints == GrowingCloud.PreviewPoints);
-            void Look() => Assert.That(m_group.Stats.DrawnPoints, Is.GreaterThanOrEqualTo(GrowingCloud.PreviewPoints));
+            Group.Stream.Settings.Selection.PointBudget = 10_000_000;
+            Group.Stream.Settings.Selection.MinScreenErrorPx = 0;
+            Group.Stream.Settings.Selection.MinNodePx = 0;
+            Frames(() => Group.Stats.DrawnPoints == GrowingCloud.PreviewPoints);
+            void Look() => Assert.That(Group.Stats.DrawnPoints, Is.GreaterThanOrEqualTo(GrowingCloud.PreviewPoints));
             Frames(() => Streamed.Preview != CloudVersions.None, () =>
             {
                 if (!File.Exists(cloud.Manifest))
@@ -111,13 +70,13 @@ namespace FastPoints.Tests.Entities
                 Look();
             });
             Frames(() => Streamed.Preview == CloudVersions.None && Streamed.Next == CloudVersions.None, Look);
-            Frames(() => m_group.Stats.IsSettled && !m_group.Stream.IsRemovingAny);
-            Assert.That(m_group.Stats.DrawnPoints, Is.EqualTo(GrowingCloud.Points));
+            Frames(() => Group.Stats.IsSettled && !Group.Stream.IsRemovingAny);
+            Assert.That(Group.Stats.DrawnPoints, Is.EqualTo(GrowingCloud.Points));
             Assert.That(Streamed.Preview, Is.EqualTo(CloudVersions.None));
             Assert.That(Streamed.Next, Is.EqualTo(CloudVersions.None));
             Assert.That(Entities.GetComponentData<PointCloudSpace>(m_cloud).Value, Is.EqualTo(space));
-            Assert.That(m_group.Stream.TryTakeFailure(out var failure), Is.False, failure.ToString());
-            var shown = m_group.Stream.Clouds[Streamed.Number];
+            Assert.That(Group.Stream.TryTakeFailure(out var failure), Is.False, failure.ToString());
+            var shown = Group.Stream.Clouds[Streamed.Number];
             Assert.That(shown.Placement, Is.EqualTo(space.Place(shown.Source.Grid, shown.Source.Root, double4x4.identity)));
         }
 
@@ -131,13 +90,13 @@ namespace FastPoints.Tests.Entities
                 Add(new PointCloudPaths { Path = path });
                 Frames(() => Error != null);
                 Assert.That(Error, Is.EqualTo(path + ": InvalidOperationException: planted"));
-                Assert.That(m_group.Stream.TryTakeFailure(out var failure), Is.True);
+                Assert.That(Group.Stream.TryTakeFailure(out var failure), Is.True);
                 Assert.That(failure.What, Does.Contain(Error).And.Contains(nameof(CloudStatesTests)),
                     "and where it was thrown");
                 for (int frame = 0; frame < 5; frame++)
                     Frame();
-                Assert.That(m_group.Stream.TryTakeFailure(out _), Is.False);
-                Assert.That(m_world.GetExistingSystemManaged<PointCloudSystemGroup>().IsOpening, Is.False);
+                Assert.That(Group.Stream.TryTakeFailure(out _), Is.False);
+                Assert.That(World.GetExistingSystemManaged<PointCloudSystemGroup>().IsOpening, Is.False);
             }
             finally
             {
@@ -150,15 +109,15 @@ namespace FastPoints.Tests.Entities
         {
             using var cloud = new GrowingCloud();
             Add(PathsOf(cloud));
-            Frames(() => m_group.Stats.DrawnPoints > 0);
+            Frames(() => Group.Stats.DrawnPoints > 0);
             while (!File.Exists(cloud.Manifest))
                 cloud.Build();
             Frames(() => Streamed.Preview != CloudVersions.None);
             cloud.Cancel();
-            Frames(() => m_group.Stream.Clouds[Streamed.Number].Source is TreeSource);
+            Frames(() => Group.Stream.Clouds[Streamed.Number].Source is TreeSource);
             Assert.That(Streamed.Preview, Is.EqualTo(CloudVersions.None));
-            Frames(() => m_group.Stats.IsSettled && !m_group.Stream.IsRemovingAny);
-            Assert.That(m_group.Stats.DrawnPoints, Is.GreaterThan(0));
+            Frames(() => Group.Stats.IsSettled && !Group.Stream.IsRemovingAny);
+            Assert.That(Group.Stats.DrawnPoints, Is.GreaterThan(0));
         }
 
         [Test]
@@ -167,10 +126,10 @@ namespace FastPoints.Tests.Entities
             PointFileReaders.Register();
             using var cloud = new TreeTestCloud(TreeTestCloud.Copc);
             Add(new PointCloudPaths { Path = cloud.Path });
-            Frames(() => m_group.Stats.DrawnPoints > 0);
-            Assert.That(m_group.Stream.Clouds[Streamed.Number].Source, Is.TypeOf<TreeSource>());
+            Frames(() => Group.Stats.DrawnPoints > 0);
+            Assert.That(Group.Stream.Clouds[Streamed.Number].Source, Is.TypeOf<TreeSource>());
             Assert.That(Error, Is.Null);
-            m_world.Dispose();
+            World.Dispose();
         }
 
         [Test]
@@ -179,16 +138,16 @@ namespace FastPoints.Tests.Entities
             PointFileReaders.Register();
             using var cloud = new TreeTestCloud(TreeTestCloud.EptBinary, 20_000);
             Add(new PointCloudPaths { Path = cloud.Path });
-            m_group.Stream.Settings.Selection.PointBudget = long.MaxValue;
-            m_group.Stream.Settings.Selection.MinScreenErrorPx = 0;
-            m_group.Stream.Settings.Selection.MinNodePx = 0;
-            for (var watch = Stopwatch.StartNew(); watch.Elapsed < s_maxTime && m_group.NeedsFrame;)
+            Group.Stream.Settings.Selection.PointBudget = long.MaxValue;
+            Group.Stream.Settings.Selection.MinScreenErrorPx = 0;
+            Group.Stream.Settings.Selection.MinNodePx = 0;
+            for (var watch = Stopwatch.StartNew(); watch.Elapsed < s_maxTime && Group.NeedsFrame;)
             {
-                m_group.Views.Add(StreamView.Everything(1e6));
-                m_world.Update();
+                Group.Views.Add(StreamView.Everything(1e6));
+                World.Update();
             }
-            Assert.That(m_group.Stats.DrawnPoints, Is.EqualTo(20_000));
-            Assert.That(m_group.NeedsFrame, Is.False);
+            Assert.That(Group.Stats.DrawnPoints, Is.EqualTo(20_000));
+            Assert.That(Group.NeedsFrame, Is.False);
         }
 
         /// <summary>Mono on Windows throws for quotes, which are pasted with a path.</summary>
@@ -203,10 +162,10 @@ namespace FastPoints.Tests.Entities
                 var refused = m_cloud;
                 using var cloud = new StreamedTestCloud(20_000, 8000);
                 Add(new PointCloudPaths { Path = cloud.Path });
-                Frames(() => m_group.Stats.DrawnPoints > 0);
-                Assert.That(m_group.ErrorOf(refused), Does.Contain("Illegal characters"));
+                Frames(() => Group.Stats.DrawnPoints > 0);
+                Assert.That(Group.ErrorOf(refused), Does.Contain("Illegal characters"));
                 Assert.That(Error, Is.Null);
-                m_world.Dispose();
+                World.Dispose();
             }
             finally
             {
@@ -227,7 +186,7 @@ namespace FastPoints.Tests.Entities
             Frames(() => IsStreamed);
             Assert.That(Error, Is.Null);
             Assert.That(Entities.GetComponentData<PointCloudFile>(m_cloud).NeedsRefresh, Is.False);
-            m_world.Dispose();
+            World.Dispose();
         }
 
         [Test]
@@ -244,9 +203,9 @@ namespace FastPoints.Tests.Entities
                     Entities.DestroyEntity(m_cloud);
                     Frame();
                 }
-                Frames(() => m_group.Stats.IsSettled && !m_group.Stream.IsRemovingAny);
-                Assert.That(m_group.Stream.Pool.UsedBytes, Is.Zero);
-                m_world.Dispose();
+                Frames(() => Group.Stats.IsSettled && !Group.Stream.IsRemovingAny);
+                Assert.That(Group.Stream.Pool.UsedBytes, Is.Zero);
+                World.Dispose();
             }
             Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
         }
@@ -254,16 +213,16 @@ namespace FastPoints.Tests.Entities
         [Test]
         public void Dispose_OfTheWorldInTheMiddleOfAPreview_FreesAll()
         {
-            m_world.Dispose();
+            World.Dispose();
             UnsafeUtility.ForgiveLeaks();
             using var cloud = new GrowingCloud();
             for (int frames = 0; frames < 60; frames += 7)
             {
-                MakeWorld();
+                Begin();
                 Add(PathsOf(cloud));
                 for (int i = 0; i < frames; i++)
                     Frame();
-                m_world.Dispose();
+                World.Dispose();
                 Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
             }
         }

@@ -16,16 +16,12 @@ using Camera = FastPoints.Picture.Camera;
 namespace FastPoints.Tests.Entities
 {
     [Category("Smoke")]
-    public sealed class PointCloudSystemsTests
+    public sealed class PointCloudSystemsTests : CloudWorldFixture
     {
         const int MaxFrames = 1_000_000;
 
         StreamedTestCloud m_cloud;
-        World m_world;
-        PointCloudSystemGroup m_group;
         Entity m_asking;
-
-        EntityManager Entities => m_world.EntityManager;
 
         [OneTimeSetUp]
         public void MakeCloud() => m_cloud = new StreamedTestCloud(60_000, 4000);
@@ -34,46 +30,17 @@ namespace FastPoints.Tests.Entities
         public void DeleteCloud() => m_cloud.Dispose();
 
         [SetUp]
-        public void MakeWorld()
-        {
-            m_world = new World("clouds");
-            DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup),
-                typeof(ApplyBudgetSystem), typeof(OpenCloudsSystem), typeof(PlaceCloudsSystem), typeof(AddCloudsSystem),
-                typeof(ReceiveNodesSystem), typeof(ControlNodesSystem), typeof(SelectNodesSystem),
-                typeof(UploadNodesSystem), typeof(RequestNodesSystem), typeof(ListNodesSystem), typeof(TrackNodesSystem),
-                typeof(ReportFailuresSystem));
-            m_group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
-        }
-
-        [TearDown]
-        public void EndWorld()
-        {
-            if (m_world.IsCreated)
-                m_world.Dispose();
-        }
+        public void MakeWorld() => MakeWorld(typeof(ApplyBudgetSystem), typeof(ControlNodesSystem), typeof(TrackNodesSystem),
+            typeof(ReportFailuresSystem));
 
         void Begin(long limitBytes = 64 << 20)
         {
             m_asking = Entities.CreateEntity(ComponentType.ReadWrite<PointCloudNodesWanted>());
-            m_group.Begin(new MemoryNodePool(limitBytes, 1 << 17));
-            m_group.Stream.Settings.Selection = StreamedTestCloud.Selection;
+            Group.Begin(new MemoryNodePool(limitBytes, 1 << 17));
+            Group.Stream.Settings.Selection = StreamedTestCloud.Selection;
         }
 
-        Entity Add()
-        {
-            var source = m_cloud.Open();
-            var entity = Entities.CreateEntity(ComponentType.ReadWrite<PointCloudPlacement>());
-            Entities.SetComponentData(entity, new PointCloudPlacement { Value = StreamedTestCloud.Geo(source) });
-            m_group.SetSource(entity, source);
-            return entity;
-        }
-
-        FrameStats Frame(Camera camera)
-        {
-            m_group.Views.Add(camera.ToStreamView(StreamedTestCloud.WidthPx, StreamedTestCloud.HeightPx));
-            m_world.Update();
-            return m_group.Stats;
-        }
+        Entity Add() => AddSource(m_cloud);
 
         FrameStats Settle(Camera camera, bool hasAll = true)
         {
@@ -111,13 +78,13 @@ namespace FastPoints.Tests.Entities
             while (later == between)
                 later = Time.realtimeSinceStartupAsDouble;
             Frame(StreamedTestCloud.Overview());
-            float seconds = m_group.Stream.FrameSeconds;
+            float seconds = Group.Stream.FrameSeconds;
             Assert.That(seconds, Is.InRange((float)(later - between), (float)(Time.realtimeSinceStartupAsDouble - before)));
             Time.captureDeltaTime = 1 / 24f;
             try
             {
                 Frame(StreamedTestCloud.Overview());
-                Assert.That(m_group.Stream.FrameSeconds, Is.EqualTo(1 / 24f));
+                Assert.That(Group.Stream.FrameSeconds, Is.EqualTo(1 / 24f));
             }
             finally
             {
@@ -128,18 +95,18 @@ namespace FastPoints.Tests.Entities
         [Test]
         public void Queries_FirstAsked_FollowTheWorldsFramesFromThenOn()
         {
-            Assert.That(m_group.Queries, Is.Null, "nothing is streamed");
+            Assert.That(Group.Queries, Is.Null, "nothing is streamed");
             Begin();
             Add();
             Settle(StreamedTestCloud.Overview());
-            var queries = m_group.Queries;
+            var queries = Group.Queries;
             Assert.That(queries.Bytes, Is.Zero);
             var everything = PointQuery.Nearest(StreamedTestCloud.OriginGeo);
             Assert.That(queries.Resident.Count(everything), Is.Zero);
             for (int frame = 0; frame < MaxFrames && !queries.IsComplete; frame++)
                 Settle(StreamedTestCloud.Overview());
-            Assert.That(queries.Resident.Count(everything), Is.EqualTo(m_group.Stats.DrawnPoints));
-            Assert.That(m_group.Queries, Is.SameAs(queries));
+            Assert.That(queries.Resident.Count(everything), Is.EqualTo(Group.Stats.DrawnPoints));
+            Assert.That(Group.Queries, Is.SameAs(queries));
         }
 
         [Test]
@@ -147,11 +114,11 @@ namespace FastPoints.Tests.Entities
         {
             Begin();
             var broken = Add();
-            m_group.Live.Find(broken).NextSource.Dispose();
+            Group.Live.Find(broken).NextSource.Dispose();
             Add();
             Assert.That(Settle(StreamedTestCloud.Overview()).DrawnPoints, Is.GreaterThan(20_000));
-            Assert.That(m_group.ErrorOf(broken), Is.Not.Null);
-            Assert.That(m_group.Live.Find(broken).NextSource, Is.Null, "it is not tried again");
+            Assert.That(Group.ErrorOf(broken), Is.Not.Null);
+            Assert.That(Group.Live.Find(broken).NextSource, Is.Null, "it is not tried again");
         }
 
         [Test]
@@ -161,10 +128,10 @@ namespace FastPoints.Tests.Entities
             var entity = Add();
             long drawn = Settle(StreamedTestCloud.Overview()).DrawnPoints;
             var newer = m_cloud.Open();
-            m_group.SetSource(entity, newer);
+            Group.SetSource(entity, newer);
             newer.Dispose();
             Assert.That(Settle(StreamedTestCloud.Overview()).DrawnPoints, Is.EqualTo(drawn));
-            Assert.That(m_group.ErrorOf(entity), Is.Not.Null);
+            Assert.That(Group.ErrorOf(entity), Is.Not.Null);
         }
 
         [Test]
@@ -177,7 +144,7 @@ namespace FastPoints.Tests.Entities
             Assert.That(Count<Drawn>(), Is.EqualTo(stats.DrawnNodes));
             Assert.That(Count<Resident>(), Is.EqualTo(stats.CachedNodes));
             Assert.That(Count<Requested>(), Is.Zero);
-            Assert.That(m_group.Live.Find(cloud).NextSource, Is.Null);
+            Assert.That(Group.Live.Find(cloud).NextSource, Is.Null);
             long points = 0;
             foreach (var entity in All<Drawn>())
             {
@@ -249,7 +216,7 @@ namespace FastPoints.Tests.Entities
             // Room for a part of the cloud, so that nodes are given up.
             Begin(1 << 18);
             Add();
-            m_group.Stream.Settings.Selection.PointBudget = 8000;
+            Group.Stream.Settings.Selection.PointBudget = 8000;
             for (int view = 0; view < 6; view++)
             {
                 var stats = Settle(StreamedTestCloud.Near(30 * view, 190 - 30 * view, view));
@@ -286,7 +253,7 @@ namespace FastPoints.Tests.Entities
             Entities.SetComponentEnabled<Tint>(entity, true);
             Frame(StreamedTestCloud.Overview());
             var node = Entities.GetComponentData<PointCloudNode>(entity);
-            foreach (var drawn in m_group.Stream.Drawn)
+            foreach (var drawn in Group.Stream.Drawn)
                 Assert.That(drawn.Tint, Is.EqualTo(drawn.Page == node.Page && drawn.Node == node.Node
                     ? 0xFF0000FF
                     : CachedNode.White));
@@ -297,7 +264,7 @@ namespace FastPoints.Tests.Entities
         {
             Begin(1 << 18);
             Add();
-            m_group.Stream.Settings.Selection.PointBudget = 8000;
+            Group.Stream.Settings.Selection.PointBudget = 8000;
             Settle(StreamedTestCloud.Near(10, 10, 3));
             // The last that were selected are the first to go.
             var pinned = All<Drawn>().ToArray()
@@ -323,7 +290,7 @@ namespace FastPoints.Tests.Entities
             Settle(StreamedTestCloud.Overview());
             Assert.That(Entities.Exists(cloud), Is.False);
             Assert.That(Count<PointCloudNode>(), Is.Zero);
-            Assert.That(m_group.Stream.Pool.UsedBytes, Is.Zero);
+            Assert.That(Group.Stream.Pool.UsedBytes, Is.Zero);
         }
 
         [Test]
@@ -338,21 +305,12 @@ namespace FastPoints.Tests.Entities
             Assert.That(Frame(StreamedTestCloud.Overview()).SelectedNodes, Is.LessThanOrEqualTo(1), "the root always is");
         }
 
-        Entity AddFile(string path, float4x4 localToWorld)
-        {
-            var entity = Entities.CreateEntity();
-            Entities.AddComponentData(entity, new PointCloudFile());
-            new PointCloudPaths { Path = path }.WriteTo(Entities.AddBuffer<PointCloudPathByte>(entity));
-            Entities.AddComponentData(entity, new LocalToWorld { Value = localToWorld });
-            return entity;
-        }
-
         void AwaitOpen(Entity entity)
         {
             for (int frame = 0; frame < MaxFrames && !Entities.HasComponent<StreamedPointCloud>(entity) &&
-                m_group.ErrorOf(entity) == null; frame++)
+                Group.ErrorOf(entity) == null; frame++)
             {
-                m_world.Update();
+                World.Update();
                 Thread.Yield();
             }
         }
@@ -361,7 +319,7 @@ namespace FastPoints.Tests.Entities
         public void File_WithATransform_IsShownThere()
         {
             Begin();
-            var entity = AddFile(m_cloud.Path, float4x4.Translate(new float3(1000, 20, -300)));
+            var entity = AddFile(new PointCloudPaths { Path = m_cloud.Path }, float4x4.Translate(new float3(1000, 20, -300)));
             AwaitOpen(entity);
             var space = Entities.GetComponentData<PointCloudSpace>(entity).Value;
             Assert.That(math.length(space.OriginGeo - StreamedTestCloud.OriginGeo), Is.LessThan(200));
@@ -383,9 +341,9 @@ namespace FastPoints.Tests.Entities
         public void File_Missing_IsReportedOnceAndOthersStream()
         {
             Begin();
-            var broken = AddFile(m_cloud.Path + "-gone", float4x4.identity);
+            var broken = AddFile(new PointCloudPaths { Path = m_cloud.Path + "-gone" }, float4x4.identity);
             AwaitOpen(broken);
-            Assert.That(m_group.ErrorOf(broken), Does.Contain("-gone"));
+            Assert.That(Group.ErrorOf(broken), Does.Contain("-gone"));
             Add();
             Assert.That(Settle(StreamedTestCloud.Overview()).DrawnPoints, Is.GreaterThan(20_000));
         }
@@ -423,7 +381,7 @@ namespace FastPoints.Tests.Entities
                 Add();
                 for (int i = 0; i < frames; i++)
                     Frame(StreamedTestCloud.Overview());
-                m_world.Dispose();
+                World.Dispose();
             }
             Assert.That(UnsafeUtility.CheckForLeaks(), Is.Zero);
         }
@@ -432,8 +390,8 @@ namespace FastPoints.Tests.Entities
         public void Update_WithoutAPool_DoesNothing()
         {
             Add();
-            m_world.Update();
-            Assert.That(m_group.Stream, Is.Null);
+            World.Update();
+            Assert.That(Group.Stream, Is.Null);
         }
     }
 }

@@ -10,7 +10,7 @@ namespace FastPoints.Tests.Evaluation
     {
         static MemoryPointReader Numbered(int count, int pointsPerBlock, int readable = int.MaxValue)
         {
-            var batch = TestBatches.New(count, TestBatches.Xyz(AttributeType.Int32));
+            var batch = TestBatches.New(count, PositionColumns.Attributes(AttributeType.Int32));
             for (int i = 0; i < count; i++)
                 for (int axis = 0; axis < 3; axis++)
                     TestBatches.Set(batch, axis, i, i);

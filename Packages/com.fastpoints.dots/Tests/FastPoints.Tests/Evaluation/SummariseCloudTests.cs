@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using FastPoints.Evaluation;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -51,9 +52,8 @@ namespace FastPoints.Tests.Evaluation
         public void Run_EachType_IsExactToTheLastDigit()
         {
             var types = (AttributeType[])Enum.GetValues(typeof(AttributeType));
-            var attributes = TestBatches.Xyz(AttributeType.Int32);
-            foreach (var type in types)
-                attributes.Add(new PointAttribute(type.ToString(), type));
+            var attributes = PositionColumns.Attributes(AttributeType.Int32)
+                .Concat(types.Select(type => new PointAttribute(type.ToString(), type)));
             var batch = TestBatches.New(2, attributes);
             for (int i = 0; i < types.Length; i++)
             {

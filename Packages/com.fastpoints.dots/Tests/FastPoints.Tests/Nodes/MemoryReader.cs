@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using FastPoints.Reading;
 using Unity.Collections;
 using Unity.Mathematics;
@@ -41,9 +42,9 @@ namespace FastPoints.Tests.Nodes
                 green[i] = (ushort)(random.NextInt(256) * 256);
                 blue[i] = (ushort)random.NextInt(65536);
             }
-            var attributes = TestBatches.Xyz(AttributeType.Int32);
-            attributes.Add(new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16));
-            attributes.AddRange(TestBatches.Colors(AttributeType.UInt16));
+            var attributes = PositionColumns.Attributes(AttributeType.Int32)
+                .Append(new PointAttribute(AttributeNames.Intensity, AttributeType.UInt16))
+                .Concat(TestBatches.Colors(AttributeType.UInt16));
             return new MemoryReader(new PointSchema(attributes), transform, blockPoints, x, y, z, intensity, red, green, blue);
         }
 

@@ -15,7 +15,7 @@ namespace FastPoints.Tests.Picture
         [Test]
         public void WaveReady_BlocksReadDeeper_IsCalledForEachWave()
         {
-            var batch = TestBatches.New(600_000, TestBatches.Xyz(AttributeType.Int32));
+            var batch = TestBatches.New(600_000, PositionColumns.Attributes(AttributeType.Int32));
             for (int i = 0; i < batch.Count; i++)
                 for (int axis = 0; axis < 3; axis++)
                     TestBatches.Set(batch, axis, i, axis == 2 ? 0 : axis == 1 ? i / 800 : i % 800);

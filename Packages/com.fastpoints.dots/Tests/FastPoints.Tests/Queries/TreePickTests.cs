@@ -251,7 +251,7 @@ namespace FastPoints.Tests.Queries
         [TestCase(40_000, false), TestCase(500, true)]
         public void StreamPicker_Preview_FindsPointsOfTheSample(int taken, bool isPreview)
         {
-            var batch = TestBatches.New(40_000, TestBatches.Xyz(AttributeType.Int32));
+            var batch = TestBatches.New(40_000, PositionColumns.Attributes(AttributeType.Int32));
             for (int i = 0; i < batch.Count; i++)
                 for (int axis = 0; axis < 3; axis++)
                     TestBatches.Set(batch, axis, i, axis == 2 ? i % 7 : axis == 1 ? i / 200 : i % 200);

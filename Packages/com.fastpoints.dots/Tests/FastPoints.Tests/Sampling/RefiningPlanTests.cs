@@ -9,7 +9,7 @@ namespace FastPoints.Tests.Sampling
     public class RefiningPlanTests
     {
         static MemoryPointReader Blocks(int count, int pointsPerBlock) =>
-            new MemoryPointReader(TestBatches.New(count, TestBatches.Xyz(AttributeType.Int32)), pointsPerBlock, false);
+            new MemoryPointReader(TestBatches.New(count, PositionColumns.Attributes(AttributeType.Int32)), pointsPerBlock, false);
 
         [TestCase(1000, 100, true), TestCase(1000, 100, false), TestCase(1003, 7, true), TestCase(5, 1, true)]
         [TestCase(1, 1, false), TestCase(0, 1, true)]

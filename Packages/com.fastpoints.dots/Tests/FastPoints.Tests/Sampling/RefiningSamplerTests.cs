@@ -129,7 +129,7 @@ namespace FastPoints.Tests.Sampling
         public void Waves_AtAHalf_LeaveNoReadRegionEmpty()
         {
             // One point in 20 is anywhere in the square, all others are in a tenth of its edges.
-            var batch = TestBatches.New(160_000, TestBatches.Xyz(AttributeType.Int32));
+            var batch = TestBatches.New(160_000, PositionColumns.Attributes(AttributeType.Int32));
             var random = new Unity.Mathematics.Random(3);
             for (int i = 0; i < batch.Count; i++)
             {

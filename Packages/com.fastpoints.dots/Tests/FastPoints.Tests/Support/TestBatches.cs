@@ -11,7 +11,7 @@ namespace FastPoints.Tests
         /// <summary>Positions as float64 columns.</summary>
         public static PointBatch OfPositions(params double3[] positions)
         {
-            var batch = New(positions.Length, Xyz(AttributeType.Float64));
+            var batch = New(positions.Length, PositionColumns.Attributes(AttributeType.Float64));
             for (int i = 0; i < positions.Length; i++)
                 for (int axis = 0; axis < 3; axis++)
                     Set(batch, axis, i, positions[i][axis]);
@@ -59,13 +59,6 @@ namespace FastPoints.Tests
             return batch;
         }
 
-        public static List<PointAttribute> Xyz(AttributeType type) => new List<PointAttribute>
-        {
-            new PointAttribute(AttributeNames.X, type),
-            new PointAttribute(AttributeNames.Y, type),
-            new PointAttribute(AttributeNames.Z, type),
-        };
-
         public static PointAttribute[] Colors(AttributeType type) => new[]
         {
             new PointAttribute(AttributeNames.Red, type), new PointAttribute(AttributeNames.Green, type),
@@ -88,7 +81,7 @@ namespace FastPoints.Tests
         }
 
         public static PointBatch New(int count, AttributeType positions, params PointAttribute[] others) =>
-            New(count, Xyz(positions).Concat(others));
+            New(count, PositionColumns.Attributes(positions).Concat(others));
 
         public static PointBatch New(int count, IEnumerable<PointAttribute> attributes) =>
             new PointBatch(new PointSchema(attributes), Math.Max(1, count), Allocator.Persistent) { Count = count };

@@ -23,12 +23,7 @@ namespace FastPoints.Tests
                 PointsReadable = points,
                 RecordBytes = 12,
                 Transform = new PositionTransform { Scale = new double3(0.01, 0.01, 0.01) },
-                Schema = new PointSchema(new[]
-                {
-                    new PointAttribute(AttributeNames.X, AttributeType.Int32),
-                    new PointAttribute(AttributeNames.Y, AttributeType.Int32),
-                    new PointAttribute(AttributeNames.Z, AttributeType.Int32),
-                }),
+                Schema = new PointSchema(PositionColumns.Attributes(AttributeType.Int32)),
             };
         }
 

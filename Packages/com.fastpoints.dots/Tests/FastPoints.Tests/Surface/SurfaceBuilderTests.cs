@@ -210,7 +210,7 @@ namespace FastPoints.Tests.Surface
         public void Run_NoPoints_MakesNothing()
         {
             using var builder = new SurfaceBuilder(Grid(), new float3(0, 0, 1));
-            using var batch = TestSurface.BatchOf(new[] { new double3(100, 0, 0) });
+            using var batch = TestBatches.OfPositions(new double3(100, 0, 0));
             JobCoroutine.RunToEnd(builder.Run(default, (b, at) => b.Add(at, batch, 1)));
             Assert.That(builder.Triangles.Length, Is.Zero);
             Assert.That(builder.VoxelCount, Is.Zero);

@@ -2,7 +2,6 @@ using System.Collections.Generic;
 using System.Linq;
 using FastPoints.Evaluation;
 using FastPoints.Surface;
-using Unity.Collections;
 using Unity.Mathematics;
 
 namespace FastPoints.Tests.Surface
@@ -18,7 +17,7 @@ namespace FastPoints.Tests.Surface
         public TestSurface(IReadOnlyList<double3> points, SurfaceGrid grid)
         {
             Grid = grid;
-            using var batch = BatchOf(points);
+            using var batch = TestBatches.OfPositions(points.ToArray());
             using var builder = new SurfaceBuilder(grid, new float3(0, 0, 1));
             foreach (var cell in CellsOf(points, grid).OrderBy(c => (c.z, c.y, c.x)))
             {
@@ -28,21 +27,6 @@ namespace FastPoints.Tests.Surface
         }
 
         public TriangleGrid ToGrid() => new TriangleGrid(Vertices, Triangles, Grid.VoxelMetres);
-
-        public static PointBatch BatchOf(IReadOnlyList<double3> points)
-        {
-            var batch = new PointBatch(new PointSchema(new[]
-            {
-                new PointAttribute(AttributeNames.X, AttributeType.Float64),
-                new PointAttribute(AttributeNames.Y, AttributeType.Float64),
-                new PointAttribute(AttributeNames.Z, AttributeType.Float64),
-            }), points.Count, Allocator.Persistent)
-            { Count = points.Count };
-            NativeArray<double> x = batch.Column<double>(0), y = batch.Column<double>(1), z = batch.Column<double>(2);
-            for (int i = 0; i < points.Count; i++)
-                (x[i], y[i], z[i]) = (points[i].x, points[i].y, points[i].z);
-            return batch;
-        }
 
         static HashSet<int3> CellsOf(IReadOnlyList<double3> points, SurfaceGrid grid)
         {

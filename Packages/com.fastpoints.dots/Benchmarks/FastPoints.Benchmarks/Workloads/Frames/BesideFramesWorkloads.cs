@@ -43,7 +43,6 @@ namespace FastPoints.Benchmarks
         }
 
         public string Name { get; }
-        public string LimitName => null;
 
         public static IEnumerable<IWorkload> All()
         {

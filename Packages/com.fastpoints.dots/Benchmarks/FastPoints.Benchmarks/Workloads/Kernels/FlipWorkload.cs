@@ -13,7 +13,6 @@ namespace FastPoints.Benchmarks
         RgbaImage m_reference;
 
         public string Name => "flip (pixels)";
-        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

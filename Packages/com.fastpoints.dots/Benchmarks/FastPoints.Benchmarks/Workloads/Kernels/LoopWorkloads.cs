@@ -11,7 +11,7 @@ namespace FastPoints.Benchmarks
         NativeArray<int> m_from, m_to;
 
         public abstract string Name { get; }
-        public abstract string LimitName { get; }
+        public virtual string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {
@@ -64,7 +64,6 @@ namespace FastPoints.Benchmarks
     sealed unsafe class PointerLoopWorkload : LoopWorkload
     {
         public override string Name => "loop over pointers";
-        public override string LimitName => null;
 
         protected override void Run(NativeArray<int> from, NativeArray<int> to) => new ScalePointersJob
         {

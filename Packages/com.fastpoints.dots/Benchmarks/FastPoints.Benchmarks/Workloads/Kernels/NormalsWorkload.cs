@@ -27,19 +27,13 @@ namespace FastPoints.Benchmarks
         }
 
         public string Name => "normals, " + m_neighbours.ToString("00") + " neighbours";
-        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {
             m_slices = new SliceTimes(Allocator.Persistent);
             m_normals = new NativeArray<ushort>(context.Points, Allocator.Persistent);
-            m_batch = new PointBatch(new PointSchema(new[]
-            {
-                new PointAttribute(AttributeNames.X, AttributeType.Float64),
-                new PointAttribute(AttributeNames.Y, AttributeType.Float64),
-                new PointAttribute(AttributeNames.Z, AttributeType.Float64),
-            }), context.Points, Allocator.Persistent)
-            { Count = context.Points };
+            var schema = new PointSchema(PositionColumns.Attributes(AttributeType.Float64));
+            m_batch = new PointBatch(schema, context.Points, Allocator.Persistent) { Count = context.Points };
             NativeArray<double> x = m_batch.Column<double>(0), y = m_batch.Column<double>(1), z = m_batch.Column<double>(2);
             double noise = 0.3 * Radius * Math.Sqrt(4 * Math.PI / context.Points);
             var random = new Unity.Mathematics.Random(context.Seed);

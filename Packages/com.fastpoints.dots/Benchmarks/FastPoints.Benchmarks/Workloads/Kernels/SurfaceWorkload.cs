@@ -17,18 +17,12 @@ namespace FastPoints.Benchmarks
         SurfaceBuilder m_builder;
 
         public string Name => "surface, a cell of a street";
-        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {
             m_builder = new SurfaceBuilder(m_grid, new float3(0, 0, 1));
-            m_batch = new PointBatch(new PointSchema(new[]
-            {
-                new PointAttribute(AttributeNames.X, AttributeType.Float64),
-                new PointAttribute(AttributeNames.Y, AttributeType.Float64),
-                new PointAttribute(AttributeNames.Z, AttributeType.Float64),
-            }), context.Points, Allocator.Persistent)
-            { Count = context.Points };
+            var schema = new PointSchema(PositionColumns.Attributes(AttributeType.Float64));
+            m_batch = new PointBatch(schema, context.Points, Allocator.Persistent) { Count = context.Points };
             NativeArray<double> x = m_batch.Column<double>(0), y = m_batch.Column<double>(1), z = m_batch.Column<double>(2);
             var random = new Random(context.Seed);
             for (int i = 0; i < context.Points; i++)

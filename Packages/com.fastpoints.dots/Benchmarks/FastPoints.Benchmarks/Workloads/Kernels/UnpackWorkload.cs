@@ -14,7 +14,6 @@ namespace FastPoints.Benchmarks
         NativeArray<uint> m_plane, m_values;
 
         public string Name => "block unpack";
-        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

@@ -25,7 +25,6 @@ namespace FastPoints.Benchmarks
         }
 
         public string Name { get; }
-        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

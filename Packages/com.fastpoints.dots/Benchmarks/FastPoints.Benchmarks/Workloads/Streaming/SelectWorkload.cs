@@ -36,7 +36,6 @@ namespace FastPoints.Benchmarks
         }
 
         public string Name { get; }
-        public string LimitName => null;
 
         public void Prepare(WorkloadContext context) => m_benchmark = new SelectionBenchmark(m_levels, m_budget);
 

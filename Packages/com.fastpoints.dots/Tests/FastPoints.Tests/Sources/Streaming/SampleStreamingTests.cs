@@ -40,7 +40,7 @@ namespace FastPoints.Tests.Sources
         [TestCase(AttributeType.Float64, 40_000), TestCase(AttributeType.Int32, 1)]
         public void Run_Sample_DrawsEachOfItsPoints(AttributeType type, int points)
         {
-            var batch = TestBatches.New(points, TestBatches.Xyz(type));
+            var batch = TestBatches.New(points, PositionColumns.Attributes(type));
             for (int i = 0; i < points; i++)
                 for (int axis = 0; axis < 3; axis++)
                     TestBatches.Set(batch, axis, i, axis == 2 ? i % 7 : axis == 1 ? i / 300 : i % 300 - 100);
@@ -64,7 +64,7 @@ namespace FastPoints.Tests.Sources
         [Test]
         public void Run_SampleWithoutPoints_DrawsNothing()
         {
-            var none = TestBatches.New(0, TestBatches.Xyz(AttributeType.Int32));
+            var none = TestBatches.New(0, PositionColumns.Attributes(AttributeType.Int32));
             using var sample = new PreviewSample(none, PositionTransform.Identity);
             using var stream = StreamedTestCloud.Stream();
             var source = new TreeSource(CopyOf(sample));
