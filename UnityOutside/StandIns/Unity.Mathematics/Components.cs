@@ -2,7 +2,8 @@ namespace Unity.Mathematics;
 
 internal static class Components
 {
-    [MethodImpl(Inline)] internal static int Checked(int index, int count)
+    [MethodImpl(Inline)]
+    internal static int Checked(int index, int count)
     {
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
         if ((uint)index >= count)

@@ -8,7 +8,8 @@ public struct Random
 {
     public uint state;
 
-    [MethodImpl(Inline)] public Random(uint seed)
+    [MethodImpl(Inline)]
+    public Random(uint seed)
     {
         state = seed;
         CheckInitState();
@@ -71,7 +72,8 @@ public struct Random
         return n ^ (n >> 15);
     }
 
-    [MethodImpl(Inline)] private uint NextState()
+    [MethodImpl(Inline)]
+    private uint NextState()
     {
         CheckState();
         uint t = state;

@@ -71,8 +71,10 @@ public struct double3 : IEquatable<double3>, IFormattable
 
     public unsafe double this[int index]
     {
-        [MethodImpl(Inline)] get { fixed (double* first = &x) return first[Components.Checked(index, 3)]; }
-        [MethodImpl(Inline)] set { fixed (double* first = &x) first[Components.Checked(index, 3)] = value; }
+        [MethodImpl(Inline)]
+        get { fixed (double* first = &x) return first[Components.Checked(index, 3)]; }
+        [MethodImpl(Inline)]
+        set { fixed (double* first = &x) first[Components.Checked(index, 3)] = value; }
     }
 
     [MethodImpl(Inline)] public bool Equals(double3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
@@ -89,24 +91,31 @@ public struct double3 : IEquatable<double3>, IFormattable
 
     public double2 xy
     {
-        [MethodImpl(Inline)] get => new double2(x, y);
-        [MethodImpl(Inline)] set { x = value.x; y = value.y; }
+        [MethodImpl(Inline)]
+        get => new double2(x, y);
+        [MethodImpl(Inline)]
+        set { x = value.x; y = value.y; }
     }
 
     public double2 xz
     {
-        [MethodImpl(Inline)] get => new double2(x, z);
-        [MethodImpl(Inline)] set { x = value.x; z = value.y; }
+        [MethodImpl(Inline)]
+        get => new double2(x, z);
+        [MethodImpl(Inline)]
+        set { x = value.x; z = value.y; }
     }
 
     public double2 yz
     {
-        [MethodImpl(Inline)] get => new double2(y, z);
-        [MethodImpl(Inline)] set { y = value.x; z = value.y; }
+        [MethodImpl(Inline)]
+        get => new double2(y, z);
+        [MethodImpl(Inline)]
+        set { y = value.x; z = value.y; }
     }
 
     internal double3 yzx
     {
-        [MethodImpl(Inline)] get => new double3(y, z, x);
+        [MethodImpl(Inline)]
+        get => new double3(y, z, x);
     }
 }

@@ -7,7 +7,8 @@ public struct double3x3 : IEquatable<double3x3>, IFormattable
     public static readonly double3x3 identity = new double3x3(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
 
     [MethodImpl(Inline)] public double3x3(double3 c0, double3 c1, double3 c2) => (this.c0, this.c1, this.c2) = (c0, c1, c2);
-    [MethodImpl(Inline)] public double3x3(
+    [MethodImpl(Inline)]
+    public double3x3(
         double m00, double m01, double m02,
         double m10, double m11, double m12,
         double m20, double m21, double m22) =>
@@ -18,7 +19,8 @@ public struct double3x3 : IEquatable<double3x3>, IFormattable
 
     public unsafe ref double3 this[int index]
     {
-        [MethodImpl(Inline)] get { fixed (double3x3* array = &this) return ref ((double3*)array)[Components.Checked(index, 3)]; }
+        [MethodImpl(Inline)]
+        get { fixed (double3x3* array = &this) return ref ((double3*)array)[Components.Checked(index, 3)]; }
     }
 
     public bool Equals(double3x3 rhs) => c0.Equals(rhs.c0) && c1.Equals(rhs.c1) && c2.Equals(rhs.c2);

@@ -19,8 +19,10 @@ public struct double4 : IEquatable<double4>, IFormattable
 
     public unsafe double this[int index]
     {
-        [MethodImpl(Inline)] get { fixed (double* first = &x) return first[Components.Checked(index, 4)]; }
-        [MethodImpl(Inline)] set { fixed (double* first = &x) first[Components.Checked(index, 4)] = value; }
+        [MethodImpl(Inline)]
+        get { fixed (double* first = &x) return first[Components.Checked(index, 4)]; }
+        [MethodImpl(Inline)]
+        set { fixed (double* first = &x) first[Components.Checked(index, 4)] = value; }
     }
 
     [MethodImpl(Inline)] public bool Equals(double4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
@@ -37,7 +39,9 @@ public struct double4 : IEquatable<double4>, IFormattable
 
     public double3 xyz
     {
-        [MethodImpl(Inline)] get => new double3(x, y, z);
-        [MethodImpl(Inline)] set { x = value.x; y = value.y; z = value.z; }
+        [MethodImpl(Inline)]
+        get => new double3(x, y, z);
+        [MethodImpl(Inline)]
+        set { x = value.x; y = value.y; z = value.z; }
     }
 }

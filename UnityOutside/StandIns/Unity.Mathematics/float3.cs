@@ -41,8 +41,10 @@ public struct float3 : IEquatable<float3>, IFormattable
 
     public unsafe float this[int index]
     {
-        [MethodImpl(Inline)] get { fixed (float* first = &x) return first[Components.Checked(index, 3)]; }
-        [MethodImpl(Inline)] set { fixed (float* first = &x) first[Components.Checked(index, 3)] = value; }
+        [MethodImpl(Inline)]
+        get { fixed (float* first = &x) return first[Components.Checked(index, 3)]; }
+        [MethodImpl(Inline)]
+        set { fixed (float* first = &x) first[Components.Checked(index, 3)] = value; }
     }
 
     [MethodImpl(Inline)] public bool Equals(float3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
@@ -58,12 +60,15 @@ public struct float3 : IEquatable<float3>, IFormattable
 
     public float2 xy
     {
-        [MethodImpl(Inline)] get => new float2(x, y);
-        [MethodImpl(Inline)] set { x = value.x; y = value.y; }
+        [MethodImpl(Inline)]
+        get => new float2(x, y);
+        [MethodImpl(Inline)]
+        set { x = value.x; y = value.y; }
     }
 
     internal float3 yzx
     {
-        [MethodImpl(Inline)] get => new float3(y, z, x);
+        [MethodImpl(Inline)]
+        get => new float3(y, z, x);
     }
 }

@@ -23,7 +23,9 @@ public struct float4 : IEquatable<float4>, IFormattable
 
     public float3 xyz
     {
-        [MethodImpl(Inline)] get => new float3(x, y, z);
-        [MethodImpl(Inline)] set { x = value.x; y = value.y; z = value.z; }
+        [MethodImpl(Inline)]
+        get => new float3(x, y, z);
+        [MethodImpl(Inline)]
+        set { x = value.x; y = value.y; z = value.z; }
     }
 }

@@ -36,8 +36,10 @@ public struct int3 : IEquatable<int3>, IFormattable
 
     public unsafe int this[int index]
     {
-        [MethodImpl(Inline)] get { fixed (int* first = &x) return first[Components.Checked(index, 3)]; }
-        [MethodImpl(Inline)] set { fixed (int* first = &x) first[Components.Checked(index, 3)] = value; }
+        [MethodImpl(Inline)]
+        get { fixed (int* first = &x) return first[Components.Checked(index, 3)]; }
+        [MethodImpl(Inline)]
+        set { fixed (int* first = &x) first[Components.Checked(index, 3)] = value; }
     }
 
     [MethodImpl(Inline)] public bool Equals(int3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
@@ -53,13 +55,17 @@ public struct int3 : IEquatable<int3>, IFormattable
 
     public int2 xy
     {
-        [MethodImpl(Inline)] get => new int2(x, y);
-        [MethodImpl(Inline)] set { x = value.x; y = value.y; }
+        [MethodImpl(Inline)]
+        get => new int2(x, y);
+        [MethodImpl(Inline)]
+        set { x = value.x; y = value.y; }
     }
 
     public int3 xyz
     {
-        [MethodImpl(Inline)] get => new int3(x, y, z);
-        [MethodImpl(Inline)] set { x = value.x; y = value.y; z = value.z; }
+        [MethodImpl(Inline)]
+        get => new int3(x, y, z);
+        [MethodImpl(Inline)]
+        set { x = value.x; y = value.y; z = value.z; }
     }
 }

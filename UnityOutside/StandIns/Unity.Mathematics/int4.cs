@@ -25,7 +25,9 @@ public struct int4 : IEquatable<int4>, IFormattable
 
     public int3 xyz
     {
-        [MethodImpl(Inline)] get => new int3(x, y, z);
-        [MethodImpl(Inline)] set { x = value.x; y = value.y; z = value.z; }
+        [MethodImpl(Inline)]
+        get => new int3(x, y, z);
+        [MethodImpl(Inline)]
+        set { x = value.x; y = value.y; z = value.z; }
     }
 }

@@ -25,25 +25,34 @@ public static partial class math
     [MethodImpl(Inline)] public static int2 max(int2 x, int2 y) => new(max(x.x, y.x), max(x.y, y.y));
     [MethodImpl(Inline)] public static int3 max(int3 x, int3 y) => new(max(x.x, y.x), max(x.y, y.y), max(x.z, y.z));
 
-    [MethodImpl(Inline)] public static double clamp(double valueToClamp, double lowerBound, double upperBound) =>
+    [MethodImpl(Inline)]
+    public static double clamp(double valueToClamp, double lowerBound, double upperBound) =>
         max(lowerBound, min(upperBound, valueToClamp));
     [MethodImpl(Inline)]
     public static int clamp(int valueToClamp, int lowerBound, int upperBound) => max(lowerBound, min(upperBound, valueToClamp));
-    [MethodImpl(Inline)] public static long clamp(long valueToClamp, long lowerBound, long upperBound) =>
+    [MethodImpl(Inline)]
+    public static long clamp(long valueToClamp, long lowerBound, long upperBound) =>
         max(lowerBound, min(upperBound, valueToClamp));
-    [MethodImpl(Inline)] public static float clamp(float valueToClamp, float lowerBound, float upperBound) =>
+    [MethodImpl(Inline)]
+    public static float clamp(float valueToClamp, float lowerBound, float upperBound) =>
         max(lowerBound, min(upperBound, valueToClamp));
-    [MethodImpl(Inline)] public static uint clamp(uint valueToClamp, uint lowerBound, uint upperBound) =>
+    [MethodImpl(Inline)]
+    public static uint clamp(uint valueToClamp, uint lowerBound, uint upperBound) =>
         max(lowerBound, min(upperBound, valueToClamp));
-    [MethodImpl(Inline)] public static ulong clamp(ulong valueToClamp, ulong lowerBound, ulong upperBound) =>
+    [MethodImpl(Inline)]
+    public static ulong clamp(ulong valueToClamp, ulong lowerBound, ulong upperBound) =>
         max(lowerBound, min(upperBound, valueToClamp));
-    [MethodImpl(Inline)] public static double3 clamp(double3 valueToClamp, double3 lowerBound, double3 upperBound) =>
+    [MethodImpl(Inline)]
+    public static double3 clamp(double3 valueToClamp, double3 lowerBound, double3 upperBound) =>
         max(lowerBound, min(upperBound, valueToClamp));
-    [MethodImpl(Inline)] public static float3 clamp(float3 valueToClamp, float3 lowerBound, float3 upperBound) =>
+    [MethodImpl(Inline)]
+    public static float3 clamp(float3 valueToClamp, float3 lowerBound, float3 upperBound) =>
         max(lowerBound, min(upperBound, valueToClamp));
-    [MethodImpl(Inline)] public static int2 clamp(int2 valueToClamp, int2 lowerBound, int2 upperBound) =>
+    [MethodImpl(Inline)]
+    public static int2 clamp(int2 valueToClamp, int2 lowerBound, int2 upperBound) =>
         max(lowerBound, min(upperBound, valueToClamp));
-    [MethodImpl(Inline)] public static int3 clamp(int3 valueToClamp, int3 lowerBound, int3 upperBound) =>
+    [MethodImpl(Inline)]
+    public static int3 clamp(int3 valueToClamp, int3 lowerBound, int3 upperBound) =>
         max(lowerBound, min(upperBound, valueToClamp));
 
     [MethodImpl(Inline)] public static float saturate(float x) => clamp(x, 0.0f, 1.0f);
@@ -54,7 +63,8 @@ public static partial class math
     [MethodImpl(Inline)] public static uint select(uint falseValue, uint trueValue, bool test) => test ? trueValue : falseValue;
     [MethodImpl(Inline)]
     internal static float3 select(float3 falseValue, float3 trueValue, bool test) => test ? trueValue : falseValue;
-    [MethodImpl(Inline)] public static float3 select(float3 falseValue, float3 trueValue, bool3 test) =>
+    [MethodImpl(Inline)]
+    public static float3 select(float3 falseValue, float3 trueValue, bool3 test) =>
         new float3(
             select(falseValue.x, trueValue.x, test.x), select(falseValue.y, trueValue.y, test.y),
             select(falseValue.z, trueValue.z, test.z));

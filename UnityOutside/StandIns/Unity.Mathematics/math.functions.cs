@@ -10,7 +10,8 @@ public static partial class math
     [MethodImpl(Inline)] public static float tan(float x) => (float)Math.Tan(x);
     [MethodImpl(Inline)] public static float atan2(float y, float x) => (float)Math.Atan2(y, x);
 
-    [MethodImpl(Inline)] public static void sincos(double x, out double s, out double c)
+    [MethodImpl(Inline)]
+    public static void sincos(double x, out double s, out double c)
     {
         s = sin(x);
         c = cos(x);
@@ -51,6 +52,7 @@ public static partial class math
     [MethodImpl(Inline)] public static double radians(double x) => x * TORADIANS_DBL;
     [MethodImpl(Inline)] public static float radians(float x) => x * TORADIANS;
     [MethodImpl(Inline)] public static float lerp(float start, float end, float t) => start + t * (end - start);
-    [MethodImpl(Inline)] public static float3 lerp(float3 start, float3 end, float t) =>
+    [MethodImpl(Inline)]
+    public static float3 lerp(float3 start, float3 end, float t) =>
         new float3(lerp(start.x, end.x, t), lerp(start.y, end.y, t), lerp(start.z, end.z, t));
 }

@@ -34,7 +34,8 @@ public static partial class math
     [MethodImpl(Inline)] public static double3 normalize(double3 x) => rsqrt(dot(x, x)) * x;
     [MethodImpl(Inline)] public static float3 normalize(float3 x) => rsqrt(dot(x, x)) * x;
 
-    [MethodImpl(Inline)] public static float3 normalizesafe(float3 x, float3 defaultvalue = default)
+    [MethodImpl(Inline)]
+    public static float3 normalizesafe(float3 x, float3 defaultvalue = default)
     {
         float lengthSq = dot(x, x);
         return select(defaultvalue, x * rsqrt(lengthSq), lengthSq > FLT_MIN_NORMAL);

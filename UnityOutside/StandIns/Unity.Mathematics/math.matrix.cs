@@ -5,7 +5,8 @@ public static partial class math
     [MethodImpl(Inline)] public static double3 mul(double3x3 a, double3 b) => a.c0 * b.x + a.c1 * b.y + a.c2 * b.z;
     [MethodImpl(Inline)] public static double3x3 mul(double3x3 a, double3x3 b) => new(mul(a, b.c0), mul(a, b.c1), mul(a, b.c2));
 
-    [MethodImpl(Inline)] public static double3x3 transpose(double3x3 v) =>
+    [MethodImpl(Inline)]
+    public static double3x3 transpose(double3x3 v) =>
         new double3x3(v.c0.x, v.c0.y, v.c0.z, v.c1.x, v.c1.y, v.c1.z, v.c2.x, v.c2.y, v.c2.z);
 
     public static double determinant(double3x3 m) =>

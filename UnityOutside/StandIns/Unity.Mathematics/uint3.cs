@@ -15,8 +15,10 @@ public struct uint3 : IEquatable<uint3>, IFormattable
 
     public unsafe uint this[int index]
     {
-        [MethodImpl(Inline)] get { fixed (uint* first = &x) return first[Components.Checked(index, 3)]; }
-        [MethodImpl(Inline)] set { fixed (uint* first = &x) first[Components.Checked(index, 3)] = value; }
+        [MethodImpl(Inline)]
+        get { fixed (uint* first = &x) return first[Components.Checked(index, 3)]; }
+        [MethodImpl(Inline)]
+        set { fixed (uint* first = &x) first[Components.Checked(index, 3)] = value; }
     }
 
     [MethodImpl(Inline)] public bool Equals(uint3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;

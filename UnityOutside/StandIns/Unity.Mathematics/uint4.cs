@@ -20,8 +20,10 @@ public struct uint4 : IEquatable<uint4>, IFormattable
 
     public unsafe uint this[int index]
     {
-        [MethodImpl(Inline)] get { fixed (uint* first = &x) return first[Components.Checked(index, 4)]; }
-        [MethodImpl(Inline)] set { fixed (uint* first = &x) first[Components.Checked(index, 4)] = value; }
+        [MethodImpl(Inline)]
+        get { fixed (uint* first = &x) return first[Components.Checked(index, 4)]; }
+        [MethodImpl(Inline)]
+        set { fixed (uint* first = &x) first[Components.Checked(index, 4)] = value; }
     }
 
     [MethodImpl(Inline)] public bool Equals(uint4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
