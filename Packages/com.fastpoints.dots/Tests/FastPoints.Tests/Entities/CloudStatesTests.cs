@@ -12,7 +12,6 @@ using NUnit.Framework;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Entities;
 using Unity.Mathematics;
-using Unity.Transforms;
 
 namespace FastPoints.Tests.Entities
 {
