@@ -12,7 +12,7 @@ namespace FastPoints.Benchmarks
 
         /// <summary>Name of the workload that bounds this one (a plain read and copy, the same loop over raw pointers), whose
         /// time in the same run this one's is divided by; or null.</summary>
-        string LimitName => null;
+        string LimitName { get; }
 
         void Prepare(WorkloadContext context);
 

@@ -17,6 +17,7 @@ namespace FastPoints.Benchmarks
         string m_source, m_target;
 
         public string Name => "convert bare pass";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

@@ -43,6 +43,7 @@ namespace FastPoints.Benchmarks
         }
 
         public string Name { get; }
+        public string LimitName => null;
 
         public static IEnumerable<IWorkload> All()
         {

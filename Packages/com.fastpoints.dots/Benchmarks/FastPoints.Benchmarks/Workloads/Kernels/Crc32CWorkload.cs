@@ -13,6 +13,7 @@ namespace FastPoints.Benchmarks
         NativeArray<byte> m_bytes;
 
         public string Name => "e57 checksums";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

@@ -13,6 +13,7 @@ namespace FastPoints.Benchmarks
         RgbaImage m_reference;
 
         public string Name => "flip (pixels)";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

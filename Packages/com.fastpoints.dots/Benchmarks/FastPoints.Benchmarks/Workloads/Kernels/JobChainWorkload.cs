@@ -14,6 +14,7 @@ namespace FastPoints.Benchmarks
         JobHandle m_last;
 
         public string Name => "job chain of 1,000 slices";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context) => m_count = new NativeReference<int>(Allocator.Persistent);
 

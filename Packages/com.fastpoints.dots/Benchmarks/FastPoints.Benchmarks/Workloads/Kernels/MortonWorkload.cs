@@ -12,6 +12,7 @@ namespace FastPoints.Benchmarks
         NativeReference<ulong> m_differences;
 
         public string Name => "morton";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

@@ -27,6 +27,7 @@ namespace FastPoints.Benchmarks
         }
 
         public string Name => "normals, " + m_neighbours.ToString("00") + " neighbours";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

@@ -12,6 +12,7 @@ namespace FastPoints.Benchmarks
         NativeArray<uint> m_payload, m_payloadScratch;
 
         public string Name => "radix sort";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

@@ -16,6 +16,7 @@ namespace FastPoints.Benchmarks
         double m_psnr;
 
         public string Name => "raster";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

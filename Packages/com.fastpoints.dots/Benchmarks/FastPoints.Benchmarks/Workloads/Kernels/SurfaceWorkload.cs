@@ -17,6 +17,7 @@ namespace FastPoints.Benchmarks
         SurfaceBuilder m_builder;
 
         public string Name => "surface, a cell of a street";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

@@ -14,6 +14,7 @@ namespace FastPoints.Benchmarks
         NativeArray<uint> m_plane, m_values;
 
         public string Name => "block unpack";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

@@ -13,6 +13,7 @@ namespace FastPoints.Benchmarks
         string m_path;
 
         public string Name => "copc first million";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

@@ -69,6 +69,7 @@ namespace FastPoints.Benchmarks
         byte* m_columns;
 
         public string Name => "las decode by pointers";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

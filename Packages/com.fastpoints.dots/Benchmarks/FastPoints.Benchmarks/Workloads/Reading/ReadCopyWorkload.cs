@@ -18,6 +18,7 @@ namespace FastPoints.Benchmarks
         public ReadCopyWorkload(string name, Func<WorkloadContext, string> find) => (Name, m_find) = (name, find);
 
         public string Name { get; }
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

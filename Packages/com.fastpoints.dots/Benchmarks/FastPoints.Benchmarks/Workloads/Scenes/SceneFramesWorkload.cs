@@ -18,6 +18,7 @@ namespace FastPoints.Benchmarks
         SceneBenchmark m_scene;
 
         public string Name => "scene frames";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

@@ -25,6 +25,7 @@ namespace FastPoints.Benchmarks
         public static IEnumerable<IWorkload> All() => new[] { new SceneNodesWorkload(false), new SceneNodesWorkload(true) };
 
         public string Name => m_hasEntities ? "scene node entities" : "scene nodes";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

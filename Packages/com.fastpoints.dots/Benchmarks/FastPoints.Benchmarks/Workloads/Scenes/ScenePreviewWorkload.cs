@@ -25,6 +25,7 @@ namespace FastPoints.Benchmarks
         }
 
         public string Name { get; }
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

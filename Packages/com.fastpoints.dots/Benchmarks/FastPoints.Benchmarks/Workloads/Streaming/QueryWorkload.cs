@@ -35,6 +35,7 @@ namespace FastPoints.Benchmarks
 
         public string Name => (m_rays > 0 ? "query 1,000 rays" : "query a ray stored") + " from "
             + NumberText.Of(m_heightMetres) + " m";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

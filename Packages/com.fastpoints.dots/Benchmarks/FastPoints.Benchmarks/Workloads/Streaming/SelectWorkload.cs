@@ -36,6 +36,7 @@ namespace FastPoints.Benchmarks
         }
 
         public string Name { get; }
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context) => m_benchmark = new SelectionBenchmark(m_levels, m_budget);
 

@@ -14,6 +14,7 @@ namespace FastPoints.Benchmarks
         NativeArray<byte> m_from, m_to;
 
         public string Name => "stream memory copy";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

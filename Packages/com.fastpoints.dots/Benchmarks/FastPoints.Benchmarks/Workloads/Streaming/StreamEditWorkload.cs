@@ -30,6 +30,7 @@ namespace FastPoints.Benchmarks
         public static IEnumerable<IWorkload> All() => new[] { new StreamEditWorkload(false), new StreamEditWorkload(true) };
 
         public string Name => m_isBrush ? "stream edit brush" : "stream edit box";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {

@@ -16,6 +16,7 @@ namespace FastPoints.Benchmarks
         long m_points;
 
         public string Name => "stream pool";
+        public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
         {
