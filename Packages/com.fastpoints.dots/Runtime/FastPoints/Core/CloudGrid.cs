@@ -89,4 +89,40 @@ namespace FastPoints
 
         public override string ToString() => "(" + Corner + ") + 2^" + SideLog2;
     }
+
+    // Maps grid positions to a cloud's own space: CRS units from the corner of the root cube.
+    internal struct CloudLocalSpace
+    {
+        public Grid3 Corner;
+        public double3 Step;
+        public int RootSideLog2;
+        public Grid3 BoundsMin;
+        public Grid3 BoundsMax;
+        public ulong CloudId;
+
+        public double3 ToLocal(Grid3 position)
+        {
+            var from = position - Corner;
+            return new double3(from.X, from.Y, from.Z) * Step;
+        }
+
+        // Of the points that lie in a cube.
+        public void BoxOf(in GridCube cube, out double3 center, out float3 half)
+        {
+            long last = cube.Side - 1;
+            var max = Grid3.Min(cube.Corner + new Grid3(last, last, last), BoundsMax);
+            Box(Grid3.Max(cube.Corner, BoundsMin), max, out center, out half);
+        }
+
+        // Both ends are included; rounded outwards.
+        public void Box(Grid3 min, Grid3 max, out double3 center, out float3 half) =>
+            Box(ToLocal(min), ToLocal(max), out center, out half);
+
+        public static void Box(double3 min, double3 max, out double3 center, out float3 half)
+        {
+            center = (min + max) * 0.5;
+            // The last digit of a float is 1.2e-7 of its value; the centre's rounding in double is far smaller.
+            half = (float3)((max - min) * (0.5 * (1 + 2.4e-7)));
+        }
+    }
 }

@@ -72,7 +72,7 @@ namespace FastPoints.Store
         /// <summary>The pages that are known so far: page 0, and those that a loaded page links to.</summary>
         public int PageCount => m_pages.Count;
 
-        internal CloudLocalSpace Grid => new CloudLocalSpace(Manifest);
+        internal CloudLocalSpace Grid => Manifest.LocalSpace;
 
         internal PageLink LinkOf(int page) => m_pages[page].Link;
 

@@ -111,6 +111,16 @@ namespace FastPoints.Store
             : IsBuilding || NormalLayer > 0 ? StoreFormat.GenerationName(StoreFormat.HierarchyName, Generation)
             : StoreFormat.HierarchyName;
 
+        internal CloudLocalSpace LocalSpace => new CloudLocalSpace
+        {
+            CloudId = CloudId,
+            Corner = Root.Corner,
+            Step = Grid.Step,
+            RootSideLog2 = Root.SideLog2,
+            BoundsMin = BoundsMin,
+            BoundsMax = BoundsMax,
+        };
+
         internal PageLink RootPage => new PageLink
         {
             Corner = Root.Corner,
@@ -454,51 +464,6 @@ namespace FastPoints.Store
                 HeadHash = source.Has("head") ? source.Hex("head") : 0,
                 Crs = systems?[(int)source.NonNegative("system", systems.Count - 1)],
             });
-        }
-    }
-
-    // Maps grid positions to a cloud's own space: CRS units from the corner of the root cube.
-    internal struct CloudLocalSpace
-    {
-        public Grid3 Corner;
-        public double3 Step;
-        public int RootSideLog2;
-        public Grid3 BoundsMin;
-        public Grid3 BoundsMax;
-        public ulong CloudId;
-
-        public CloudLocalSpace(CloudManifest manifest)
-        {
-            CloudId = manifest.CloudId;
-            Corner = manifest.Root.Corner;
-            Step = manifest.Grid.Step;
-            RootSideLog2 = manifest.Root.SideLog2;
-            BoundsMin = manifest.BoundsMin;
-            BoundsMax = manifest.BoundsMax;
-        }
-
-        public double3 ToLocal(Grid3 position)
-        {
-            var from = position - Corner;
-            return new double3(from.X, from.Y, from.Z) * Step;
-        }
-
-        public void BoxOf(in PageLink link, out double3 center, out float3 half)
-        {
-            long last = link.Cube.Side - 1;
-            var max = Grid3.Min(link.Corner + new Grid3(last, last, last), BoundsMax);
-            Box(Grid3.Max(link.Corner, BoundsMin), max, out center, out half);
-        }
-
-        // Both ends are included; rounded outwards.
-        public void Box(Grid3 min, Grid3 max, out double3 center, out float3 half) =>
-            Box(ToLocal(min), ToLocal(max), out center, out half);
-
-        public static void Box(double3 min, double3 max, out double3 center, out float3 half)
-        {
-            center = (min + max) * 0.5;
-            // The last digit of a float is 1.2e-7 of its value; the centre's rounding in double is far smaller.
-            half = (float3)((max - min) * (0.5 * (1 + 2.4e-7)));
         }
     }
 }

@@ -25,7 +25,7 @@ namespace FastPoints.Streaming
         public FolderSource(CloudFolder folder, params string[] planes)
         {
             m_folder = folder;
-            m_grid = new CloudLocalSpace(folder.Manifest);
+            m_grid = folder.Manifest.LocalSpace;
             var wanted = new SortedSet<int> { StoreLayout.PositionPlane };
             foreach (string name in planes)
                 if (folder.Layout.PlaneOf(name) >= 0)

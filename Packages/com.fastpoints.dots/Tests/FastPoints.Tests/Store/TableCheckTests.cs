@@ -285,7 +285,7 @@ namespace FastPoints.Tests.Store
                 Allocator.Temp);
             using var shapes = m_manifest.CreateLayout().CreateShapes(Allocator.Temp);
             var first = (PlaneShape*)shapes.GetUnsafeReadOnlyPtr();
-            return new TableCheck(bytes, link, new CloudLocalSpace(m_manifest), first, PlaneCount).FindProblem().Fault;
+            return new TableCheck(bytes, link, m_manifest.LocalSpace, first, PlaneCount).FindProblem().Fault;
         }
 
         // As a stream does: builds what it streams of each page, too.

@@ -77,7 +77,7 @@ namespace FastPoints.Store
         internal static HierarchyPage OfLink(in PageLink link, in CloudLocalSpace grid)
         {
             var page = new HierarchyPage();
-            grid.BoxOf(link, out page.Center, out page.Half);
+            grid.BoxOf(link.Cube, out page.Center, out page.Half);
             return page;
         }
     }

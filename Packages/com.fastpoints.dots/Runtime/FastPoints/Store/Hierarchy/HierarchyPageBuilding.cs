@@ -25,7 +25,7 @@ namespace FastPoints.Store
                 var box = boxes[n];
                 for (int l = node.FirstLink; l < node.FirstLink + node.LinkCount; l++)
                 {
-                    grid.BoxOf(stored.Links[l], out var center, out var half);
+                    grid.BoxOf(stored.Links[l].Cube, out var center, out var half);
                     box = Union(box, new LocalBox(center - half, center + half));
                 }
                 boxes[n] = box;
