@@ -75,7 +75,6 @@ namespace UnityEngine
 
     public partial class Object
     {
-        public int GetInstanceID() => Id;
         public static void DontDestroyOnLoad(Object target) { }
     }
 
