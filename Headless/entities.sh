@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The package on Unity's own Entities, Collections, Mathematics, Serialization, Properties and Transforms, compiled from a folder of
 # sources (Headless/Notes/outside-unity.md says what lies there) over the stand-ins of the engine: its tests, those of the host about
-# entities, editor and samples, and probes of its own. With Unity's IL post-processors at all assemblies, and with types and jobs of
+# entities, editor, samples and ground for com.unity.physics, and probes of its own. With Unity's IL post-processors at all assemblies, and with types and jobs of
 # the package found by reflection. Safety checks are on. The last line is "N passed, N failed, N skipped".
 #   Headless/entities.sh SOURCES [PATTERN]   PATTERN: only tests whose full name contains it
 set -uo pipefail
@@ -55,7 +55,7 @@ adapt() { # way
   local way=$artifacts/$1 all=$artifacts/$1/HostTests names
   rm -rf "$way" && mkdir -p "$way" &&
     cp -r "$artifacts/bin/HostTests/debug" "$all" && cp -r "$artifacts/bin/FastPoints.Tests/debug_net10.0" "$way/FastPoints.Tests" || return 1
-  names="Unity.Collections Unity.Entities Unity.Entities.Hybrid Unity.Transforms"
+  names="Unity.Collections Unity.Entities Unity.Entities.Hybrid Unity.Transforms Unity.Physics"
   if [ "$1" = reflection ]; then
     cp "$artifacts"/bin/Unity.Entities/reflection/Unity.Entities.{dll,pdb} "$all" || return 1
     post_process "$all" $names || return 1
@@ -75,7 +75,7 @@ echo "-- post-processing: $((SECONDS - start)) s"
 
 usual='TestCategory!=Long&TestCategory!=Large&TestCategory!=Direct3D&TestCategory!=Cross'
 rooms='FullyQualifiedName~HostTests.Probes'
-for room in Entities Editor Samples StandIns.Entity StandIns.BakingTests; do rooms="$rooms|FullyQualifiedName~HostTests.$room"; done
+for room in Entities Editor Samples Surface.PointCloudGround StandIns.Entity StandIns.BakingTests; do rooms="$rooms|FullyQualifiedName~HostTests.$room"; done
 only=${2:+&FullyQualifiedName~$2}
 
 run_tests() { # way, assembly, filter

@@ -250,6 +250,19 @@ public sealed class EntityTests
         Assert.That(s_calls, Is.EqualTo(new[] { "<D", "<B", "<A", "-D", "-C", "-B", "-A" }));
     }
 
+    [UpdateInGroup(typeof(FixedStepSimulationSystemGroup))]
+    sealed class Step : RecordingSystem { }
+
+    [Test]
+    public void FixedSteps_WorldWhoseTimeStandsStill_AreOne()
+    {
+        DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(FixedStepSimulationSystemGroup), typeof(Step));
+        s_calls.Clear();
+        m_world.Update();
+        m_world.Update();
+        Assert.That(s_calls, Is.EqualTo(new[] { ">Step", "Step" }));
+    }
+
     [Test]
     public void World_DisposedTwice_Throws()
     {

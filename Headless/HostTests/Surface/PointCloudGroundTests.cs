@@ -13,6 +13,7 @@ public sealed class PointCloudGroundTests : ScratchTests
 
     string m_path;
     World m_world;
+    PhysicsSystemGroup m_physics;
     EntityManager m_entities;
     Entity m_cloud, m_player;
 
@@ -26,6 +27,7 @@ public sealed class PointCloudGroundTests : ScratchTests
         m_world = new World("physics");
         DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(FixedStepSimulationSystemGroup),
             typeof(PhysicsSystemGroup), typeof(BeforePhysicsSystemGroup), typeof(MakeGroundSystem));
+        m_physics = m_world.GetExistingSystemManaged<PhysicsSystemGroup>();
         m_entities = m_world.EntityManager;
         m_cloud = m_entities.CreateEntity(typeof(LocalToWorld), typeof(PointCloudFile));
         Place(m_cloud, float4x4.Translate(default));
@@ -52,7 +54,7 @@ public sealed class PointCloudGroundTests : ScratchTests
         var watch = System.Diagnostics.Stopwatch.StartNew();
         do
         {
-            m_world.Update();
+            m_physics.Update();
             Thread.Yield();
         }
         while (!PointCloudGround.IsReady(m_world, m_cloud, place, 1) && watch.ElapsedMilliseconds < 10_000);
@@ -62,7 +64,7 @@ public sealed class PointCloudGroundTests : ScratchTests
     void Steps(int count)
     {
         for (int step = 0; step < count; step++)
-            m_world.Update();
+            m_physics.Update();
     }
 
     Entity[] Bodies()
@@ -131,12 +133,12 @@ public sealed class PointCloudGroundTests : ScratchTests
     {
         Put(-12);
         Place(m_cloud, float4x4.Translate(new float3(0, 5, 0)));
-        m_world.Update();
+        m_physics.Update();
         Assert.That(Triangles().Select(t => (double)t.A.y), Is.All.GreaterThan(4.5));
         // East becomes up, twice as long.
         Place(m_cloud, new float4x4(new float4(0, 2, 0, 0), new float4(-1, 0, 0, 0), new float4(0, 0, 1, 0),
             new float4(0, 24, 0, 1)));
-        m_world.Update();
+        m_physics.Update();
         Put(0);
         Assert.That(Triangles().Any(t => math.abs(t.A.x) < 2 * Voxel && math.abs(t.A.y - 1) < 2 * Voxel), Is.True);
         Assert.That(Triangles().Select(t => (double)t.A.x), Is.All.InRange(-1.5, 0.5));
@@ -163,7 +165,7 @@ public sealed class PointCloudGroundTests : ScratchTests
             Assert.That(IsGone(), Is.False);
             Assert.That(() =>
             {
-                m_world.Update();
+                m_physics.Update();
                 Assert.That(Bodies(), Has.Length.EqualTo(bodies));
                 return IsGone();
             }, Is.True.After(10_000, 1));
@@ -185,7 +187,7 @@ public sealed class PointCloudGroundTests : ScratchTests
         {
             Assert.That(() =>
             {
-                m_world.Update();
+                m_physics.Update();
                 return logged.Count;
             }, Is.EqualTo(1).After(10_000, 1));
             Assert.That(logged[0], Does.Contain("absent.fastpoints"));
