@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # The package on Unity's own Entities, Collections, Mathematics, Serialization, Properties and Transforms, compiled from a folder of
 # sources (Headless/Notes/outside-unity.md says what lies there) over the stand-ins of the engine: its tests, those of the host about
-# entities, editor, samples and ground for com.unity.physics, and probes of its own. With Unity's IL post-processors at all assemblies, and with types and jobs of
-# the package found by reflection. Safety checks are on. The last line is "N passed, N failed, N skipped".
+# entities, editor, samples and ground for com.unity.physics, and probes of its own. With Unity's IL post-processors at all
+# assemblies, and with types and jobs of the package found by reflection. Safety checks are on. The last line is "N passed, N failed,
+# N skipped".
 #   Headless/entities.sh SOURCES [PATTERN]   PATTERN: only tests whose full name contains it
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

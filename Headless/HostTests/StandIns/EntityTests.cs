@@ -256,7 +256,8 @@ public sealed class EntityTests
     [Test]
     public void FixedSteps_WorldWhoseTimeStandsStill_AreOne()
     {
-        DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(FixedStepSimulationSystemGroup), typeof(Step));
+        DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(FixedStepSimulationSystemGroup),
+            typeof(Step));
         s_calls.Clear();
         m_world.Update();
         m_world.Update();

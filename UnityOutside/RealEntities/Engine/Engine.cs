@@ -66,11 +66,6 @@ namespace UnityEngine
         public static float Min(float a, float b) => Math.Min(a, b);
         public static float Max(float a, float b) => Math.Max(a, b);
         public static float Sqrt(float f) => MathF.Sqrt(f);
-        public static float Abs(float f) => MathF.Abs(f);
-        public static float Clamp(float value, float min, float max) => Math.Clamp(value, min, max);
-        public static int Clamp(int value, int min, int max) => Math.Clamp(value, min, max);
-        public static float Clamp01(float value) => Math.Clamp(value, 0, 1);
-        public static bool Approximately(float a, float b) => MathF.Abs(a - b) < 1e-6f;
     }
 
     public partial class Object

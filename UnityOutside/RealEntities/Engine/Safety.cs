@@ -55,7 +55,6 @@ namespace Unity.Collections.LowLevel.Unsafe
         public static void SetNestedContainer(AtomicSafetyHandle handle, bool isNestedContainer) { }
         public static void SetExclusiveWeak(ref AtomicSafetyHandle handle, bool value) { }
         public static void SetAllowSecondaryVersionWriting(AtomicSafetyHandle handle, bool allowWriting) { }
-        public static AtomicSafetyHandle GetTempUnsafePtrSliceHandle() => GetTempMemoryHandle();
 
         public static EnforceJobResult EnforceAllBufferJobsHaveCompleted(AtomicSafetyHandle handle)
         {

@@ -146,12 +146,6 @@ namespace UnityEngine.SceneManagement
 
     [Flags]
     public enum LocalPhysicsMode { None, Physics2D, Physics3D }
-
-    public struct LoadSceneParameters
-    {
-        public LoadSceneMode loadSceneMode { get; set; }
-        public LocalPhysicsMode localPhysicsMode { get; set; }
-    }
 }
 
 // Nothing is downloaded.
