@@ -164,7 +164,7 @@ namespace FastPoints.Store
 
         static Edited EditsOf(CloudFolder folder)
         {
-            var plan = EditPlan.Of(folder, out var refused);
+            var plan = EditPlan.Of(folder, out var refused, EditJournal.DraftOf(folder.FolderPath));
             return new Edited { Plan = plan, Hash = plan?.Hash ?? 0, Refused = refused };
         }
 
