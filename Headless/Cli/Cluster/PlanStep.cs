@@ -68,7 +68,7 @@ sealed class PlanStep
         int cube = 0;
         for (int cell = 0; cell < plan.Whole.BaseCells.Length; cell++)
         {
-            while (!cubes[cube].Contains(plan.Whole.BaseCells[cell]))
+            while (!cubes[cube].ContainsAligned(plan.Whole.BaseCells[cell]))
                 cube++;
             points[cube] += plan.PointsOfCell[cell];
         }

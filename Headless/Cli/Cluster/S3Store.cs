@@ -8,7 +8,7 @@ namespace FastPoints.Cli.Cluster;
 
 /// <summary>A bucket of S3's interface. Every put is checked by the server (MD5) and by its answer (ETag); what fails on the way
 /// is tried again, and a put that was done already does no harm.</summary>
-sealed class S3Store : TaskStore
+sealed class S3Store : ObjectStore
 {
     const int Tries = 6;
 
@@ -146,7 +146,7 @@ sealed class S3Store : TaskStore
             throw Failure(FailureCode.NotFound, name, "no such object");
     }
 
-    public override string Fetch(string name, string folder)
+    public override string EnsureLocal(string name, string folder)
     {
         string path = Path.Combine(folder, name.Replace('/', '-'));
         bool isThere = false;

@@ -116,7 +116,7 @@ sealed class ViewCloud
         var schema = LoadNodes.SchemaFor(folder, folder.Manifest.Attributes.Select(a => a.Name).ToArray());
         var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
         run.RunSteps(selection.Load(batch, null));
-        transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
+        transform = folder.Manifest.Grid.TransformFromCorner(folder.Manifest.Root.Corner);
         crs = folder.Manifest.Crs;
         return batch;
     }

@@ -35,7 +35,7 @@ public sealed class CloudSettings
             Sampler = sampler,
             Attributes = parsed.GetValue(m_attributes)?.Split(',', System.StringSplitOptions.RemoveEmptyEntries),
             PointsPerChunk = parsed.GetValue(m_chunkPoints) ?? 0,
-            MaxPointsPerLeaf = Counts.ToInt(parsed.GetValue(m_leafPoints) ?? 0),
+            TargetPointsPerLeaf = Counts.ToInt(parsed.GetValue(m_leafPoints) ?? 0),
         };
     }
 

@@ -55,7 +55,7 @@ public sealed class PlanVerb : Verb
         using var filter = m_cloud.Filter(parsed, reader);
         var wanted = filter == null ? reader : new FilteredReader(reader, filter);
         string full = S3Addresses.IsS3(store) ? store : Path.GetFullPath(store);
-        using (var there = TaskStore.Open(full))
+        using (var there = ObjectStore.Open(full))
             if (!run.Settings.IsForced && there.ReadText(StoreFormat.ManifestName) != null)
                 throw new UsageException("--store: there is a cloud already: " + store + "; --force plans all the same");
         string memory = parsed.GetRequiredValue(m_memory);

@@ -65,7 +65,7 @@ namespace FastPoints.Picture
             var lengths = m_ranges.LengthsPerUnit;
             // Shadows are of what a layer has: with them, light is by its depths.
             var axes = new double3x3(Camera.Right / lengths, Camera.Up / lengths, Camera.Forward / lengths);
-            var normals = new PointNormals(batch, m_options.Shadows ? 0 : LitLevel, Light.From(Camera.EyeGeo))
+            var normals = new PointNormals(batch, m_options.Shadows ? 0 : LitLevel, Light.RelativeTo(Camera.EyeGeo))
             {
                 ToLight = double3x3.identity,
                 ViewToLight = axes,
@@ -116,7 +116,7 @@ namespace FastPoints.Picture
             Projection = new PointProjection(camera, PositionTransform.Identity, canvas.WidthPx, canvas.HeightPx),
             Background = m_options.Background,
             EdlStrength = EdlStrength,
-            Light = Light.From(camera.EyeGeo),
+            Light = Light.RelativeTo(camera.EyeGeo),
             Shadows = canvas.ShadowMapFor(camera.EyeGeo),
             PixelPositions = PixelPositionsFor(camera, canvas.WidthPx, canvas.HeightPx),
             FillsHoles = m_options.FillsHoles,

@@ -209,7 +209,7 @@ namespace FastPoints.Surface
         {
             base.Dispose();
             foreach (var cell in Cells.Made)
-                if (cell.Shown != null)
+                if (cell.Collider != null)
                     Hide(cell);
         }
 
@@ -239,7 +239,7 @@ namespace FastPoints.Surface
         // Somebody may have destroyed its entity.
         protected override void Hide(SurfaceCell cell)
         {
-            var (entity, collider) = ((Entity, BlobAssetReference<Collider>))cell.Shown;
+            var (entity, collider) = ((Entity, BlobAssetReference<Collider>))cell.Collider;
             if (m_entities.Exists(entity))
                 m_entities.DestroyEntity(entity);
             m_system.FreeLater(collider);
@@ -247,7 +247,7 @@ namespace FastPoints.Surface
 
         protected override void Move(SurfaceCell cell)
         {
-            var (entity, _) = ((Entity, BlobAssetReference<Collider>))cell.Shown;
+            var (entity, _) = ((Entity, BlobAssetReference<Collider>))cell.Collider;
             if (m_entities.Exists(entity))
                 m_entities.SetComponentData(entity, new LocalToWorld { Value = float4x4.Translate((float3)WorldOf(cell.At)) });
         }

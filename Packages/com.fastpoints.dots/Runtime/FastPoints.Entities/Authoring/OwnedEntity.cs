@@ -9,7 +9,7 @@ namespace FastPoints.Entities
     {
         /// <summary>Whether this is an import worker process, set by the editor: it opens scenes as well, and needs no
         /// world.</summary>
-        internal static bool IsInWorker { get; set; }
+        internal static bool IsImportWorker { get; set; }
 
         World m_world;
 
@@ -21,7 +21,7 @@ namespace FastPoints.Entities
         public bool TryCreate(out EntityManager entities)
         {
             // In edit mode, the world may not have been made yet.
-            if (!IsInWorker)
+            if (!IsImportWorker)
                 DefaultWorldInitialization.DefaultLazyEditModeInitialize();
             m_world = PointCloudSystemGroup.ObjectGroup?.World ?? World.DefaultGameObjectInjectionWorld;
             Value = Entity.Null;

@@ -93,8 +93,8 @@ namespace FastPoints.Build
                 var sizes = NodeSizes.Default;
                 if (Settings.CellsLog2 > 0)
                     sizes.CellsLog2 = Settings.CellsLog2;
-                if (Settings.MaxPointsPerLeaf > 0)
-                    sizes.MaxPointsPerLeaf = Settings.MaxPointsPerLeaf;
+                if (Settings.TargetPointsPerLeaf > 0)
+                    sizes.TargetPointsPerLeaf = Settings.TargetPointsPerLeaf;
                 return sizes;
             }
         }
@@ -207,7 +207,7 @@ namespace FastPoints.Build
         public GridCube RootOf(in PointStatistics found)
         {
             if (!IsWhole)
-                return Cube.Contains(CloudCube) ? Cube : CloudCube;
+                return Cube.ContainsAligned(CloudCube) ? Cube : CloudCube;
             var grown = RootCube.Grow(CloudCube, found.Min, found.Max);
             return grown.Length > 0 ? grown[grown.Length - 1] : CloudCube;
         }

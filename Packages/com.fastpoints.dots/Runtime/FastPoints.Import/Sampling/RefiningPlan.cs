@@ -56,9 +56,9 @@ namespace FastPoints.Sampling
             return ranges;
         }
 
-        /// <summary>Records how many points a range has brought.</summary>
-        /// <param name="points">Fewer than requested if the block is broken: no more of it is read.</param>
-        public void Add(BlockRange range, int points)
+        /// <summary>Reads no more of a block that is broken.</summary>
+        /// <param name="points">How many the range has brought; fewer than requested if it is.</param>
+        public void EndIfShort(BlockRange range, int points)
         {
             if (!IsSliced || points == range.Count)
                 return;

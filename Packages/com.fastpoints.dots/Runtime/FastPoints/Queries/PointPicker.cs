@@ -169,7 +169,7 @@ namespace FastPoints.Queries
         {
             bool areKnown = true;
             foreach (var taken in m_taken)
-                areKnown &= !taken.IsPage || Source.PrepareBuild(taken.Page);
+                areKnown &= !taken.IsPage || Source.TryPrepareBuild(taken.Page);
             if (!areKnown && Source.Update() is PointCloudException failure)
                 throw failure;
             return areKnown;

@@ -268,7 +268,7 @@ namespace FastPoints.Build
             foreach (var shell in shells)
             {
                 for (int octant = 0; octant < 8; octant++)
-                    if (!shell.Child(octant).Contains(inner))
+                    if (!shell.Child(octant).ContainsAligned(inner))
                         around.Add(shell.Child(octant));
                 inner = shell;
             }
@@ -293,7 +293,7 @@ namespace FastPoints.Build
         public GridCube[] In(GridCube cube)
         {
             int first = IndexOf(cube.Corner), end = first;
-            while (end < m_cells.Length && cube.Contains(m_cells[end]))
+            while (end < m_cells.Length && cube.ContainsAligned(m_cells[end]))
                 end++;
             var cells = new GridCube[end - first];
             Array.Copy(m_cells, first, cells, 0, cells.Length);

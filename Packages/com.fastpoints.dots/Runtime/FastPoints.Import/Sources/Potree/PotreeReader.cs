@@ -83,11 +83,11 @@ namespace FastPoints.Sources
                 bytesPerPoint > 0 ? Math.Min(MaxBlockPoints, MaxBlockBytes / bytesPerPoint) : points, offset, bytes,
                 bytesPerPoint);
 
-        private protected bool IsFull(long next)
+        private protected bool WarnIfFull(long offset)
         {
             if (Tree.NodeCount < MaxNodes)
                 return false;
-            Info.Warn(next, "the hierarchy has more than " + NumberText.Of(MaxNodes) + " nodes: the others are left out");
+            Info.Warn(offset, "the hierarchy has more than " + NumberText.Of(MaxNodes) + " nodes: the others are left out");
             return true;
         }
     }

@@ -112,7 +112,7 @@ namespace FastPoints.Streaming
                 if (tables >= MaxTables(missing) || !TryFindIdle(out var fetch))
                     break;
                 if (page->Status != HierarchyPageStatus.Absent || !m_state.IsDue(page->RetryFrame) ||
-                    FolderReleases.IsReleased(cloud.Source.Path) || !cloud.Source.PrepareBuild(missing.Page))
+                    FolderReleases.IsReleased(cloud.Source.Path) || !cloud.Source.TryPrepareBuild(missing.Page))
                     continue;
                 page->Status = HierarchyPageStatus.Loading;
                 fetch.BeginTable(++m_count, cloud, missing.Page, rank);
