@@ -11,8 +11,7 @@ sealed class BuildPlan
 
     public required string Path { get; init; }
 
-    /// <summary>Of the file, as it was written; tells this plan from others.</summary>
-    public ulong Hash { get; private set; }
+    public ulong Hash { get; private set; } // Of the file, as it was written; tells this plan from others.
 
     /// <summary>Where the cloud comes to be: a folder, or s3://bucket/prefix.</summary>
     public required string Store { get; init; }

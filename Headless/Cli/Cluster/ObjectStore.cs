@@ -11,8 +11,7 @@ abstract class ObjectStore : IDisposable
 
     protected ObjectStore(string name) => Name = name;
 
-    /// <summary>As in the plan, for messages.</summary>
-    public string Name { get; }
+    public string Name { get; } // As in the plan, for messages.
 
     public abstract int Lanes { get; }
 
@@ -33,8 +32,7 @@ abstract class ObjectStore : IDisposable
 
     public abstract void Delete(IEnumerable<string> names);
 
-    /// <summary>Where the cloud is read when it is complete.</summary>
-    public abstract string CloudPath { get; }
+    public abstract string CloudPath { get; } // Where the cloud is read when it is complete.
 
     /// <summary>Folders that a cloud has, if there is anything in them or not.</summary>
     public virtual void MakeFolders(params ReadOnlySpan<string> names) { }

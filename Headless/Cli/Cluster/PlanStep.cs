@@ -30,8 +30,7 @@ sealed class PlanStep
     readonly GridCube[] m_cubes;
     readonly double[] m_points;
 
-    /// <summary>By piece.</summary>
-    readonly (int First, int Last)[] m_buckets;
+    readonly (int First, int Last)[] m_buckets; // By piece.
 
     PlanStep(PlanRequest request, CloudPlan plan, PointReader reader)
     {
@@ -46,8 +45,7 @@ sealed class PlanStep
             Array.Fill(plan.Whole.Divisors, request.Divisor);
     }
 
-    /// <summary>Points that all tasks read, of those that there are.</summary>
-    public double ReadsPerPoint { get; private set; }
+    public double ReadsPerPoint { get; private set; } // Points that all tasks read, of those that there are.
 
     public static (BuildPlan Plan, double ReadsPerPoint) Run(PointReader reader, ConvertSettings settings, PlanRequest request,
         CliRun run)

@@ -28,8 +28,7 @@ sealed class S3Store : ObjectStore
         m_client = new AmazonS3Client(config);
     }
 
-    /// <summary>Larger files are put in pieces.</summary>
-    internal static int PieceBytes { get; set; } = 64 << 20;
+    internal static int PieceBytes { get; set; } = 64 << 20; // Larger files are put in pieces.
 
     internal static TimeSpan IdleTime { get; set; } = TimeSpan.FromSeconds(60);
 

@@ -24,8 +24,7 @@ sealed class ViewCloud
     public string Unit => NumberFormat.Unit(Ranges.Units.Horizontal);
     public List<ViewWave> Waves { get; } = [];
 
-    /// <summary>FLIP of all points with one sample a pixel; see <see cref="WaveFlips"/>.</summary>
-    public double FlipFloor { get; private set; }
+    public double FlipFloor { get; private set; } // FLIP of all points with one sample a pixel; see WaveFlips.
 
     /// <summary>What is shown: everything, or what nearly all points are in where few far ones would leave it too few
     /// pixels.</summary>

@@ -11,12 +11,10 @@ sealed class ViewColumn
 
     public bool IsChannel { get; private init; }
 
-    /// <summary>Of an amount: what its colours span.</summary>
-    public double Low { get; private set; }
+    public double Low { get; private set; } // Of an amount: what its colours span.
     public double High { get; private set; }
 
-    /// <summary>Of a category; otherwise empty.</summary>
-    public double[] Values { get; private set; } = [];
+    public double[] Values { get; private set; } = []; // Of a category; otherwise empty.
 
     /// <summary>The one value that all points have; NaN where there are several.</summary>
     public double Constant { get; private init; } = double.NaN;

@@ -26,8 +26,7 @@ sealed class FilterPolygons : IDisposable
     /// <summary>The first edge of each slab among <see cref="RelativeEdgesOfSlabs"/>, and one more entry.</summary>
     public NativeArray<int> FirstOfSlab { get; private set; }
 
-    /// <summary>By slab, in each by polygon.</summary>
-    public NativeArray<FilterEdge> RelativeEdgesOfSlabs { get; private set; }
+    public NativeArray<FilterEdge> RelativeEdgesOfSlabs { get; private set; } // By slab, in each by polygon.
 
     public unsafe ulong Hash => ContentHash.Of(RelativeEdgesOfSlabs.GetUnsafeReadOnlyPtr(),
         (long)RelativeEdgesOfSlabs.Length * sizeof(FilterEdge)) ^ math.asulong(m_min.x) ^ 2 * math.asulong(m_min.y);

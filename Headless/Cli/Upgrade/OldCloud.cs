@@ -20,8 +20,7 @@ sealed unsafe class OldCloud : IDisposable
         m_planeCount = manifest.CreateLayout().Planes.Count;
     }
 
-    /// <summary>As of version 3, but for where the hierarchy is.</summary>
-    public CloudManifest Manifest { get; }
+    public CloudManifest Manifest { get; } // As of version 3, but for where the hierarchy is.
     public List<SourceEntry> Sources { get; }
     public OldTable Upper => m_upper!;
     public List<OldChunk> Chunks { get; } = [];

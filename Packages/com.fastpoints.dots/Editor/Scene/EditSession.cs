@@ -29,16 +29,13 @@ namespace FastPoints.Editor
         public byte Class { get; set; }
         public Color Color { get; set; } = new Color(1, 0, 0, 1);
 
-        /// <summary>Of the brush, in world units.</summary>
-        public float Radius { get; set; } = 0.5f;
+        public float Radius { get; set; } = 0.5f; // Of the brush, in world units.
 
         public IReadOnlyList<StreamPick> Stroke => m_stroke;
 
-        /// <summary>The rays through its corners, all of one camera.</summary>
-        public List<PointQuery> Lasso { get; } = new List<PointQuery>();
+        public List<PointQuery> Lasso { get; } = new List<PointQuery>(); // The rays through its corners, all of one camera.
 
-        /// <summary>What is amiss; null if nothing is.</summary>
-        public string Note { get; private set; }
+        public string Note { get; private set; } // What is amiss; null if nothing is.
 
         public void Drag(PointQuery ray)
         {

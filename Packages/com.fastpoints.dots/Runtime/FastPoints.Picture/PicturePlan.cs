@@ -35,8 +35,7 @@ namespace FastPoints.Picture
 
         public Camera Camera { get; }
 
-        // Never Auto.
-        public ColorMode Mode { get; }
+        public ColorMode Mode { get; } // Never Auto.
 
         public PictureOptions Options => m_options;
         public DisplayRanges Ranges => m_ranges;
@@ -47,8 +46,7 @@ namespace FastPoints.Picture
 
         public ClassMask HiddenClasses => m_options.HiddenClasses;
 
-        // With automatic sizes, the size of the median tile.
-        public float SizePx { get; set; }
+        public float SizePx { get; set; } // With automatic sizes, the size of the median tile.
 
         public bool UsesAutoSize => m_options.IsAutoSize; // SizePx is still to be found from a picture of the sample.
 

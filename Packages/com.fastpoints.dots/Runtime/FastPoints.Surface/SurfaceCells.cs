@@ -40,8 +40,7 @@ namespace FastPoints.Surface
 
         public SurfaceCells(in SurfaceGrid grid, Action<SurfaceCell> free) => (m_grid, m_free) = (grid, free);
 
-        /// <summary>Cells that were made, empty ones too.</summary>
-        public List<SurfaceCell> Made { get; } = new List<SurfaceCell>();
+        public List<SurfaceCell> Made { get; } = new List<SurfaceCell>(); // Cells that were made, empty ones too.
         public long Triangles { get; private set; }
 
         public int Version { get; private set; } // Another whenever a cell was made or given up.

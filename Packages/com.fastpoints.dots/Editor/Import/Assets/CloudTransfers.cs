@@ -136,11 +136,9 @@ namespace FastPoints.Editor
             Work = Task.Run(Run);
         }
 
-        /// <summary>Ends when the copy has its name; throws a <see cref="PointCloudException"/> or is cancelled.</summary>
-        public Task Work { get; }
+        public Task Work { get; } // Ends when the copy has its name; throws a PointCloudException or is cancelled.
 
-        /// <summary>A folder that does not exist until the copy is complete.</summary>
-        public string To { get; }
+        public string To { get; } // A folder that does not exist until the copy is complete.
 
         /// <summary>From 0 to 1; any thread may ask.</summary>
         public double Fraction => Interlocked.Read(ref m_bytesDone) / (double)Math.Max(1, Interlocked.Read(ref m_bytes));

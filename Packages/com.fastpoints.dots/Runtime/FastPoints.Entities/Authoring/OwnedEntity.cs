@@ -13,8 +13,7 @@ namespace FastPoints.Entities
 
         World m_world;
 
-        /// <summary>Null if there is no entity.</summary>
-        public Entity Value { get; private set; }
+        public Entity Value { get; private set; } // Null if there is no entity.
 
         /// <summary>Makes the entity, without components.</summary>
         /// <returns>Whether there is a world, in which no system iterates.</returns>

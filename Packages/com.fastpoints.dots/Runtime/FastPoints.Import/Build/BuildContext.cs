@@ -63,8 +63,7 @@ namespace FastPoints.Build
             Allot(MemoryPlan.For(Points, RecordLayout.StrideBytes, settings, part.PointsPerChunk));
         }
 
-        /// <summary>Null for a whole cloud.</summary>
-        public BuildPart Part { get; }
+        public BuildPart Part { get; } // Null for a whole cloud.
 
         /// <summary>Takes the points of the part's own blocks since the last call; null unless it is read from sources.</summary>
         public Func<long> TakeOwnBlockPoints { get; set; }
@@ -80,11 +79,9 @@ namespace FastPoints.Build
         /// memory.</summary>
         public RecordFiles Files { get; private set; }
 
-        /// <summary>The first partition. Setting it hands it over.</summary>
-        public PartitionMap Map { get; set; }
+        public PartitionMap Map { get; set; } // The first partition. Setting it hands it over.
 
-        /// <summary>See <see cref="CloudIdentity"/>; known once there is a partition.</summary>
-        public ulong CloudId { get; set; }
+        public ulong CloudId { get; set; } // See CloudIdentity; known once there is a partition.
 
         public NodeSizes Sizes
         {

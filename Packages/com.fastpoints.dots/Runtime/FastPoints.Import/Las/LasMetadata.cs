@@ -27,13 +27,11 @@ namespace FastPoints.Las
 
         public LasHeader Header { get; }
 
-        /// <summary>Unknown if the files' records of it differ.</summary>
-        public CoordinateSystem Crs { get; private set; }
+        public CoordinateSystem Crs { get; private set; } // Unknown if the files' records of it differ.
 
         public GpsTime GpsTime { get; }
 
-        /// <summary>Bytes at the end of a point that no record describes.</summary>
-        public int UndescribedBytes { get; private set; }
+        public int UndescribedBytes { get; private set; } // Bytes at the end of a point that no record describes.
 
         public IReadOnlyList<Record> All => m_records; // In the order of the first file.
 

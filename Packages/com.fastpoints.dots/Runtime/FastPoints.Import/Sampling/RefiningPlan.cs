@@ -34,8 +34,7 @@ namespace FastPoints.Sampling
 
         public bool IsSliced { get; }
 
-        /// <summary>Number of points in the ranges returned so far.</summary>
-        public long Taken { get; private set; }
+        public long Taken { get; private set; } // Number of points in the ranges returned so far.
 
         public List<BlockRange> Next(double share)
         {

@@ -79,8 +79,7 @@ namespace FastPoints.Sampling
         /// <summary>The last wave's sample until the next one replaces and disposes it; null before the first.</summary>
         public PreviewSample Sample => m_sample;
 
-        /// <summary>While set, no more reads begin, so that other work can use the machine.</summary>
-        public bool IsPaused { get; set; }
+        public bool IsPaused { get; set; } // While set, no more reads begin, so that other work can use the machine.
 
         bool IThrottledConsumer.IsReady => !IsPaused;
 

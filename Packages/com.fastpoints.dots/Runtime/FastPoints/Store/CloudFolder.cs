@@ -66,8 +66,7 @@ namespace FastPoints.Store
         /// <summary>The nodes of page 0.</summary>
         public NodeTable Root { get; private set; }
 
-        // Null unless the folder was opened to be shown.
-        internal VerifiedPlanes VerifiedPlanes { get; private set; }
+        internal VerifiedPlanes VerifiedPlanes { get; private set; } // Null unless the folder was opened to be shown.
 
         /// <summary>The pages that are known so far: page 0, and those that a loaded page links to.</summary>
         public int PageCount => m_pages.Count;

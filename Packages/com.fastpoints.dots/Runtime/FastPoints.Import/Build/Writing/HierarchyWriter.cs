@@ -217,8 +217,7 @@ namespace FastPoints.Build
         {
             public List<int> Nodes;
 
-            /// <summary>The node of the subtree that the roots are children of, or -1.</summary>
-            public int Above;
+            public int Above; // The node of the subtree that the roots are children of, or -1.
         }
 
         readonly int m_planeCount;
@@ -259,8 +258,7 @@ namespace FastPoints.Build
 
         public Subtree Subtree { get; }
 
-        /// <summary>Pages come after those that their roots hang on.</summary>
-        public List<Page> Pages { get; } = new List<Page>();
+        public List<Page> Pages { get; } = new List<Page>(); // Pages come after those that their roots hang on.
 
         public int RootPages { get; }
 

@@ -21,8 +21,7 @@ namespace FastPoints.Sources
 
         private protected PotreeReader(SourceInfo info, BoundsGeo cube, double spacing) : base(info, cube, spacing) { }
 
-        // Null for nodes that are LAS or LAZ files.
-        internal abstract PotreeLayout Layout { get; }
+        internal abstract PotreeLayout Layout { get; } // Null for nodes that are LAS or LAZ files.
 
         private protected sealed override int BytesPerPoint => HasCheapRanges ? Layout.RecordBytes : 0;
 
@@ -31,8 +30,7 @@ namespace FastPoints.Sources
 
         internal sealed override string NameOf(int level, int3 cell) => PotreeNames.NameOf(level, cell);
 
-        // According to the hierarchy, as far as it has been read.
-        private protected long PointsClaimed { get; set; }
+        private protected long PointsClaimed { get; set; } // According to the hierarchy, as far as it has been read.
 
         public override long BytesOfRange(BlockRange range)
         {

@@ -50,8 +50,7 @@ namespace FastPoints
             return end > MaxHeadBytes ? RemoteFile.HeadBytes : (int)Math.Max(end, RemoteFile.HeadBytes);
         }
 
-        // Of the first piece that failed, once all are done.
-        public PointCloudException Failure { get; private set; }
+        public PointCloudException Failure { get; private set; } // Of the first piece that failed, once all are done.
 
         // Of all pieces; a whole file counts once it is opened.
         public long Bytes

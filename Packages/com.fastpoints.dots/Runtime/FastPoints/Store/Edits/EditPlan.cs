@@ -35,8 +35,7 @@ namespace FastPoints.Store
         public EditOperation Last => Operations[Operations.Count - 1];
         public CloudManifest Manifest { get; }
 
-        // The position in whole steps, and the attributes that operations read or change.
-        public PointSchema Schema { get; }
+        public PointSchema Schema { get; } // The position in whole steps, and the attributes that operations read or change.
 
         public PointSchema Changed => Manifest.Attributes.Select(m_changed.ToArray());
 

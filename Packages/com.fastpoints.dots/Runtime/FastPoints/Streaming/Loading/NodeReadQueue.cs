@@ -26,8 +26,7 @@ namespace FastPoints.Streaming
 
         public List<NodeFetch> Fetches => m_fetches;
 
-        // Whether the pool had none for what the last frame chose.
-        public bool LacksRoom { get; private set; }
+        public bool LacksRoom { get; private set; } // Whether the pool had none for what the last frame chose.
 
         public int InFlightCount
         {
