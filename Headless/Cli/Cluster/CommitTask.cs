@@ -15,7 +15,7 @@ sealed class CommitTask
     public static CloudManifest Run(TaskRun task)
     {
         var commit = new CommitTask(task);
-        var markers = commit.Check();
+        var markers = commit.CheckAndDeleteUnknown();
         var nodes = commit.FetchNodes(markers);
         var total = PartFile.ReadResult(nodes[task.Plan.LastMerge], task.Plan.Whole.CloudId);
         commit.CheckSums(markers, total);
@@ -31,7 +31,7 @@ sealed class CommitTask
     }
 
     /// <summary>Tasks whose marker or whose objects are not there are missing.</summary>
-    TaskMarker[] Check()
+    TaskMarker[] CheckAndDeleteUnknown()
     {
         m_task.Run.Progress.Begin("check");
         var markers = TaskMarker.ReadAll(m_store, m_plan, [.. m_plan.AllTasks], m_task.Missing);

@@ -39,9 +39,9 @@ abstract class ObjectStore : IDisposable
 
     public virtual void Dispose() { }
 
-    public void PutText(string name, string text, string folder)
+    public void PutText(string name, string text, string scratchFolder)
     {
-        string path = Path.Combine(folder, name.Replace('/', '-'));
+        string path = Path.Combine(scratchFolder, name.Replace('/', '-'));
         OutputFile.Write(path, Encoding.UTF8.GetBytes(text));
         Put(name, path);
     }

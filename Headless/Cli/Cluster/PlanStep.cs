@@ -86,7 +86,7 @@ sealed class PlanStep
         var builds = BuildAssignment.Of(Array.ConvertAll(kept, t => m_points[t]), m_request.TaskPoints);
         var merges = MergeTree.Of(m_plan.Whole.CloudCube, kept.Select((t, number) => (builds.NameOf(number), m_cubes[t])));
         var plan = NewPlan(builds, buckets.Count, merges, Estimate(isBucketed, kept, reads, builds));
-        string text = plan.ToText(), parts = BuildPlan.PartsOf(m_request.Path);
+        string text = plan.ToTextAndSetHash(), parts = BuildPlan.PartsOf(m_request.Path);
         Clear(m_request.Path, parts);
         OutputFile.MakeFolder(parts);
         for (int number = 0; number < kept.Length; number++)
@@ -165,7 +165,8 @@ sealed class PlanStep
     {
         long points = m_reader.PointCount;
         double share = points / Math.Max(1, m_points.Sum());
-        return PlanEstimate.Of(points, m_plan.Whole.RecordLayout.StrideBytes, Enumerable.Range(0, builds.Tasks).Select(task =>
+        var tasks = Enumerable.Range(0, builds.BuildTasks);
+        return PlanEstimate.Of(points, m_plan.Whole.RecordLayout.StrideBytes, tasks.Select(task =>
             builds.Of(task).Select(b => kept[b]).Select(t =>
                 (m_points[t] * share, isBucketed ? (long)(m_points[t] * share) : reads[t].Points))), m_request.MemoryBytes,
             isBucketed);

@@ -106,7 +106,7 @@ public sealed class DrawStep
         }
     }
 
-    public RgbaImage ToImage(bool isPlain) => isPlain ? Image : Legend.DrawOn(Image);
+    public RgbaImage ToImage(bool isPlain) => isPlain ? Image : Legend.CopyWithLegend(Image);
 
     public string Describe() => NumberFormat.Count(Points, "point")
         + (Nodes is { } nodes ? " of " + NumberFormat.Count(nodes, "node") : "") + " in " + NumberFormat.Seconds(Seconds);

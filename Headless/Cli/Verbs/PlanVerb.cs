@@ -73,7 +73,7 @@ public sealed class PlanVerb : Verb
         run.WriteKeys = json =>
         {
             json.WriteInteger("points", plan.Whole.Points);
-            json.WriteNumber("tasks", plan.Tasks);
+            json.WriteNumber("tasks", plan.BuildTasks);
             json.WriteNumber("bucketTasks", plan.BucketTasks);
             plan.WriteMergeLevels(json);
             json.WriteString("mode", mode);
@@ -82,7 +82,8 @@ public sealed class PlanVerb : Verb
         };
         run.Out.WriteLine(plan.Path + ": " + NumberFormat.Count(plan.Whole.Points, "point") + " for "
             + (plan.BucketTasks > 0 ? NumberFormat.Count(plan.BucketTasks, "bucket task") + ", " : "")
-            + NumberFormat.Count(plan.Tasks, "task") + ", " + string.Join(" and ", plan.MergeTasks) + " merges, and the commit");
+            + NumberFormat.Count(plan.BuildTasks, "task") + ", "
+            + string.Join(" and ", plan.MergeTasks) + " merges, and the commit");
         run.Out.WriteLine("  mode   " + mode + ": tasks that read what overlaps them would read each point "
             + NumberFormat.Value(Math.Round(reads, 2)) + " times");
         run.Out.WriteLine("  takes  " + plan.Estimate.Describe());

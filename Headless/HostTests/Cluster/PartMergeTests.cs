@@ -142,7 +142,7 @@ class PartMergeTests : FolderTests
     CloudManifest Commit(IEnumerable<string> nodesPaths)
     {
         var manifest = m_made.Manifest.Clone();
-        (manifest.Root, manifest.NodeCount, manifest.ChunkCount, manifest.HierarchyBytes) = (default, 0, 0, 0);
+        (manifest.Root, manifest.NodeCount, manifest.ChunkCount, manifest.HierarchyFileBytes) = (default, 0, 0, 0);
         JobCoroutine.RunToEnd(PartMerge.Commit(nodesPaths.ToArray(), manifest, Folder.File("commit"), null));
         return manifest;
     }

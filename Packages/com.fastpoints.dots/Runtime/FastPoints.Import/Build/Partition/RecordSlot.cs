@@ -86,7 +86,7 @@ namespace FastPoints.Build
             }.Schedule(decoded);
         }
 
-        public PointStatistics CollectStatistics(AttributeStatistics[] attributes)
+        public PointStatistics TakeStatistics(AttributeStatistics[] attributes)
         {
             var statistics = Statistics;
             var found = statistics.Value;

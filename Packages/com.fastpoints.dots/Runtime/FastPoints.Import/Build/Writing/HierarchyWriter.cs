@@ -182,7 +182,7 @@ namespace FastPoints.Build
                 manifest.RootBytes = link.LengthBytes;
                 manifest.RootHash = link.Hash;
             }));
-            manifest.HierarchyBytes = writer.Offset;
+            manifest.HierarchyFileBytes = writer.Offset;
             using var header = new NativeArray<byte>(HeaderOf(manifest, planeCount), Allocator.Persistent);
             yield return JobStep.Of(CloudFolderWriter.Await(folder.Seal(name, header)));
         }
@@ -198,7 +198,7 @@ namespace FastPoints.Build
                 {
                     Cube = manifest.Root,
                     Kind = ContainerKind.Hierarchy,
-                    FileBytes = manifest.HierarchyBytes,
+                    FileBytes = manifest.HierarchyFileBytes,
                     Hash = manifest.RootHash,
                 },
                 PointCount = manifest.Points,
