@@ -27,8 +27,8 @@ public static class Program
         int status = ExitStatus.Failed;
         try
         {
-            status = CommandLine.Run(FileNames.WithLinks(args), output, error, !Console.IsErrorRedirected, s_cancellation.Token,
-                s_discard.Token);
+            status = CommandLine.Run(NonUtf8Names.WithLinks(args), output, error, !Console.IsErrorRedirected,
+                s_cancellation.Token, s_discard.Token);
             output.Flush();
         }
         catch (UsageException e)
@@ -44,7 +44,7 @@ public static class Program
         }
         finally
         {
-            FileNames.DeleteLinks();
+            NonUtf8Names.DeleteLinks();
         }
         return status;
     }

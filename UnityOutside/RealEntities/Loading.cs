@@ -68,7 +68,6 @@ namespace StandIns.Entities
 {
     static class SystemOrder
     {
-        /// <summary>No meaning here: what no attribute orders is by Unity's hash.</summary>
-        internal static bool IsBackwards { get; set; }
+        internal static bool IsBackwards { get; set; } // No meaning here: what no attribute orders is by Unity's hash.
     }
 }

@@ -11,8 +11,7 @@ sealed class BuildPlan
 
     public required string Path { get; init; }
 
-    /// <summary>Of the file, as it was written; tells this plan from others.</summary>
-    public ulong Hash { get; private set; }
+    public ulong Hash { get; private set; } // Of the file, as it was written; tells this plan from others.
 
     /// <summary>Where the cloud comes to be: a folder, or s3://bucket/prefix.</summary>
     public required string Store { get; init; }
@@ -32,7 +31,7 @@ sealed class BuildPlan
     public required CloudManifest Cloud { get; init; }
 
     public required BuildAssignment Builds { get; init; }
-    public int Tasks => Builds.Tasks;
+    public int BuildTasks => Builds.BuildTasks;
 
     /// <summary>None where builds read sources.</summary>
     public required int BucketTasks { get; init; }
@@ -64,8 +63,8 @@ sealed class BuildPlan
 
     public GridCube[] ReadCubes() => PlanFile.ReadCubes(ReadTask(CubesName), "cubes");
 
-    /// <summary>Writes the file, and takes its hash.</summary>
-    public string ToText()
+    /// <summary>What the file says; from then on Hash is its hash.</summary>
+    public string ToTextAndSetHash()
     {
         string text = PlanFile.ToText(Write, isIndented: true);
         Hash = PlanFile.Parse(text, Path).Hex("hash");
@@ -77,7 +76,7 @@ sealed class BuildPlan
         json.WriteString("made by", "FastPoints");
         json.WriteNumber("version", Version);
         json.WriteString("store", Store);
-        json.WriteNumber("tasks", Tasks);
+        json.WriteNumber("tasks", BuildTasks);
         json.WriteNumber("builds", Builds.BuildCount);
         json.WriteNumber("bucketTasks", BucketTasks);
         WriteMergeLevels(json);

@@ -33,7 +33,7 @@ static class BuildTask
         return task.Put(task.Files, result, records.Count);
     }
 
-    static string StrayFolder(int number) => TaskStore.WorkFolder + "stray/" + number + "/";
+    static string StrayFolder(int number) => ObjectStore.WorkFolder + "stray/" + number + "/";
 
     /// <summary>Buckets that turned out to have points of a build, against what headers say.</summary>
     static IEnumerable<string> StraysOf(TaskRun task, int number) =>
@@ -59,16 +59,16 @@ static class BuildTask
 /// <summary>Records of one build in several buckets, or in what builds set aside.</summary>
 sealed class BucketRecords
 {
-    readonly TaskStore m_store;
+    readonly ObjectStore m_store;
     readonly List<(string Name, TaskMarker.Range Range)> m_ranges = [];
 
     /// <param name="task">Of a build; the number behind the last is that of points outside of all.</param>
-    public BucketRecords(TaskStore store, IEnumerable<TaskMarker> buckets, int task)
+    public BucketRecords(ObjectStore store, IEnumerable<TaskMarker> buckets, int task)
     {
         m_store = store;
         foreach (var bucket in buckets)
             foreach (var range in bucket.Ranges.Where(r => r.Task == task))
-                m_ranges.Add((TaskStore.WorkFolder + bucket.Task + Path.GetExtension(BucketBuild.BucketName), range));
+                m_ranges.Add((ObjectStore.WorkFolder + bucket.Task + Path.GetExtension(BucketBuild.BucketName), range));
     }
 
     /// <summary>Those that builds set aside, in whole files.</summary>
@@ -76,7 +76,7 @@ sealed class BucketRecords
     {
         foreach (var build in builds.Where(b => b.OutsidePoints > 0))
         {
-            string name = TaskStore.WorkFolder + build.Task + Path.GetExtension(BuildFiles.OutsideName);
+            string name = ObjectStore.WorkFolder + build.Task + Path.GetExtension(BuildFiles.OutsideName);
             var stored = build.Objects.First(o => o.Name == name);
             m_ranges.Add((name, new TaskMarker.Range(0, build.OutsidePoints, 0, stored.Bytes, stored.Hash)));
         }

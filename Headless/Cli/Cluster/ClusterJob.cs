@@ -18,7 +18,7 @@ sealed record ClusterJob(string Plan, IReadOnlyList<ClusterStage> Stages, PlanEs
 
     public static ClusterJob Of(BuildPlan plan)
     {
-        var stages = new List<ClusterStage> { new("build", ["build"], plan.Tasks) };
+        var stages = new List<ClusterStage> { new("build", ["build"], plan.BuildTasks) };
         if (plan.BucketTasks > 0)
             stages.Insert(0, new ClusterStage("bucket", ["build", "--bucket"], plan.BucketTasks));
         for (int level = 1; level <= plan.MergeTasks.Count; level++)

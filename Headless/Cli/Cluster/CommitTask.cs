@@ -8,14 +8,14 @@ sealed class CommitTask
 
     readonly TaskRun m_task;
     readonly BuildPlan m_plan;
-    readonly TaskStore m_store;
+    readonly ObjectStore m_store;
 
     CommitTask(TaskRun task) => (m_task, m_plan, m_store) = (task, task.Plan, task.Store);
 
     public static CloudManifest Run(TaskRun task)
     {
         var commit = new CommitTask(task);
-        var markers = commit.Check();
+        var markers = commit.CheckAndDeleteUnknown();
         var nodes = commit.FetchNodes(markers);
         var total = PartFile.ReadResult(nodes[task.Plan.LastMerge], task.Plan.Whole.CloudId);
         commit.CheckSums(markers, total);
@@ -31,7 +31,7 @@ sealed class CommitTask
     }
 
     /// <summary>Tasks whose marker or whose objects are not there are missing.</summary>
-    TaskMarker[] Check()
+    TaskMarker[] CheckAndDeleteUnknown()
     {
         m_task.Run.Progress.Begin("check");
         var markers = TaskMarker.ReadAll(m_store, m_plan, [.. m_plan.AllTasks], m_task.Missing);
@@ -42,18 +42,18 @@ sealed class CommitTask
         // Those of an earlier plan, or of a task that was killed.
         var known = markers.SelectMany(m => m.Objects).Select(o => o.Name).ToHashSet();
         m_store.Delete(there.Keys.Where(name => !known.Contains(name)
-            && !name.StartsWith(TaskStore.WorkFolder, StringComparison.Ordinal)).ToList());
+            && !name.StartsWith(ObjectStore.WorkFolder, StringComparison.Ordinal)).ToList());
         return markers;
     }
 
     static IEnumerable<string> Folders() =>
-        [StoreFormat.ChunkFolderName + "/", StoreFormat.UpperFolderName + "/", TaskStore.WorkFolder];
+        [StoreFormat.ChunkFolderName + "/", StoreFormat.UpperFolderName + "/", ObjectStore.WorkFolder];
 
     /// <returns>Files with tables of nodes by task, that of points outside besides.</returns>
     Dictionary<string, string> FetchNodes(TaskMarker[] markers)
     {
         var names = m_plan.Builds.Names.Concat(m_plan.Merges).ToList();
-        string outside = TaskStore.WorkFolder + MergeTaskRun.OutsideName + Path.GetExtension(PartFile.NodesName);
+        string outside = ObjectStore.WorkFolder + MergeTaskRun.OutsideName + Path.GetExtension(PartFile.NodesName);
         if (markers[^1].Objects.Any(o => o.Name == outside))
             names.Add(MergeTaskRun.OutsideName);
         var paths = new string[names.Count];
@@ -104,8 +104,8 @@ sealed class CommitTask
         m_task.Run.Progress.End();
     }
 
-    public static void Clean(TaskStore store) =>
-        store.Delete(store.List(TaskStore.WorkFolder).Select(found => found.Name).ToList());
+    public static void Clean(ObjectStore store) =>
+        store.Delete(store.List(ObjectStore.WorkFolder).Select(found => found.Name).ToList());
 
     /// <summary>What the plan knows of the sources; not all kinds have all of it.</summary>
     void PutFact(string name)

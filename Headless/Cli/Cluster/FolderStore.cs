@@ -1,6 +1,6 @@
 namespace FastPoints.Cli.Cluster;
 
-sealed partial class FolderStore(string name) : TaskStore(name)
+sealed partial class FolderStore(string name) : ObjectStore(name)
 {
     /// <summary>Unfinished files: none is left among the cloud's when a task is killed.</summary>
     const string IncomingFolder = WorkFolder + "incoming";
@@ -63,7 +63,7 @@ sealed partial class FolderStore(string name) : TaskStore(name)
         }
     }
 
-    public override string Fetch(string name, string folder) => PathOf(name);
+    public override string EnsureLocal(string name, string folder) => PathOf(name);
 
     public override IEnumerable<(string Name, long Bytes)> List(string prefix)
     {

@@ -54,7 +54,7 @@ static class MergeTree
 /// <param name="First">By task, its first build.</param>
 sealed record BuildAssignment(long[] First, int BuildCount)
 {
-    public int Tasks => First.Length;
+    public int BuildTasks => First.Length;
     public IEnumerable<string> Names => Enumerable.Range(0, BuildCount).Select(NameOf);
 
     /// <param name="points">Of each build.</param>
@@ -76,7 +76,7 @@ sealed record BuildAssignment(long[] First, int BuildCount)
     }
 
     public IEnumerable<int> Of(int task) =>
-        Enumerable.Range((int)First[task], (int)((task + 1 < Tasks ? First[task + 1] : BuildCount) - First[task]));
+        Enumerable.Range((int)First[task], (int)((task + 1 < BuildTasks ? First[task + 1] : BuildCount) - First[task]));
 
     public string NameOf(int build)
     {

@@ -30,8 +30,7 @@ sealed class PlanStep
     readonly GridCube[] m_cubes;
     readonly double[] m_points;
 
-    /// <summary>By piece.</summary>
-    readonly (int First, int Last)[] m_buckets;
+    readonly (int First, int Last)[] m_buckets; // By piece.
 
     PlanStep(PlanRequest request, CloudPlan plan, PointReader reader)
     {
@@ -46,8 +45,7 @@ sealed class PlanStep
             Array.Fill(plan.Whole.Divisors, request.Divisor);
     }
 
-    /// <summary>Points that all tasks read, of those that there are.</summary>
-    public double ReadsPerPoint { get; private set; }
+    public double ReadsPerPoint { get; private set; } // Points that all tasks read, of those that there are.
 
     public static (BuildPlan Plan, double ReadsPerPoint) Run(PointReader reader, ConvertSettings settings, PlanRequest request,
         CliRun run)
@@ -68,7 +66,7 @@ sealed class PlanStep
         int cube = 0;
         for (int cell = 0; cell < plan.Whole.BaseCells.Length; cell++)
         {
-            while (!cubes[cube].Contains(plan.Whole.BaseCells[cell]))
+            while (!cubes[cube].ContainsAligned(plan.Whole.BaseCells[cell]))
                 cube++;
             points[cube] += plan.PointsOfCell[cell];
         }
@@ -88,7 +86,7 @@ sealed class PlanStep
         var builds = BuildAssignment.Of(Array.ConvertAll(kept, t => m_points[t]), m_request.TaskPoints);
         var merges = MergeTree.Of(m_plan.Whole.CloudCube, kept.Select((t, number) => (builds.NameOf(number), m_cubes[t])));
         var plan = NewPlan(builds, buckets.Count, merges, Estimate(isBucketed, kept, reads, builds));
-        string text = plan.ToText(), parts = BuildPlan.PartsOf(m_request.Path);
+        string text = plan.ToTextAndSetHash(), parts = BuildPlan.PartsOf(m_request.Path);
         Clear(m_request.Path, parts);
         OutputFile.MakeFolder(parts);
         for (int number = 0; number < kept.Length; number++)
@@ -167,7 +165,8 @@ sealed class PlanStep
     {
         long points = m_reader.PointCount;
         double share = points / Math.Max(1, m_points.Sum());
-        return PlanEstimate.Of(points, m_plan.Whole.RecordLayout.StrideBytes, Enumerable.Range(0, builds.Tasks).Select(task =>
+        var tasks = Enumerable.Range(0, builds.BuildTasks);
+        return PlanEstimate.Of(points, m_plan.Whole.RecordLayout.StrideBytes, tasks.Select(task =>
             builds.Of(task).Select(b => kept[b]).Select(t =>
                 (m_points[t] * share, isBucketed ? (long)(m_points[t] * share) : reads[t].Points))), m_request.MemoryBytes,
             isBucketed);

@@ -8,7 +8,7 @@ namespace FastPoints.Cli.Cluster;
 
 /// <summary>A bucket of S3's interface. Every put is checked by the server (MD5) and by its answer (ETag); what fails on the way
 /// is tried again, and a put that was done already does no harm.</summary>
-sealed class S3Store : TaskStore
+sealed class S3Store : ObjectStore
 {
     const int Tries = 6;
 
@@ -28,8 +28,7 @@ sealed class S3Store : TaskStore
         m_client = new AmazonS3Client(config);
     }
 
-    /// <summary>Larger files are put in pieces.</summary>
-    internal static int PieceBytes { get; set; } = 64 << 20;
+    internal static int PieceBytes { get; set; } = 64 << 20; // Larger files are put in pieces.
 
     internal static TimeSpan IdleTime { get; set; } = TimeSpan.FromSeconds(60);
 
@@ -146,7 +145,7 @@ sealed class S3Store : TaskStore
             throw Failure(FailureCode.NotFound, name, "no such object");
     }
 
-    public override string Fetch(string name, string folder)
+    public override string EnsureLocal(string name, string folder)
     {
         string path = Path.Combine(folder, name.Replace('/', '-'));
         bool isThere = false;

@@ -20,7 +20,7 @@ sealed class TaskMarker
     public IReadOnlyList<Range> Ranges { get; init; } = [];
     public IReadOnlyList<StoredObject> Objects { get; init; } = [];
 
-    public static string NameOf(string task) => TaskStore.WorkFolder + task + ".json";
+    public static string NameOf(string task) => ObjectStore.WorkFolder + task + ".json";
 
     public string ToText(BuildPlan plan) => PlanFile.ToText(json =>
     {
@@ -46,7 +46,7 @@ sealed class TaskMarker
     });
 
     /// <returns>Null if the task is not done: there is none, it is another plan's, or damaged.</returns>
-    public static TaskMarker? Read(TaskStore store, BuildPlan plan, string task)
+    public static TaskMarker? Read(ObjectStore store, BuildPlan plan, string task)
     {
         if (store.ReadText(NameOf(task)) is not { } text)
             return null;
@@ -81,7 +81,7 @@ sealed class TaskMarker
     /// <summary>Those of several tasks, all of which must be done.</summary>
     /// <param name="missing">Receives the names of those that are not.</param>
     /// <exception cref="PointCloudException">Some are not.</exception>
-    public static TaskMarker[] ReadAll(TaskStore store, BuildPlan plan, IReadOnlyList<string> tasks, List<string> missing)
+    public static TaskMarker[] ReadAll(ObjectStore store, BuildPlan plan, IReadOnlyList<string> tasks, List<string> missing)
     {
         var markers = new TaskMarker?[tasks.Count];
         store.ForEach(Enumerable.Range(0, tasks.Count), t => markers[t] = Read(store, plan, tasks[t]));
@@ -90,7 +90,7 @@ sealed class TaskMarker
         return markers!;
     }
 
-    public static void RefuseMissing(TaskStore store, IReadOnlyList<string> missing)
+    public static void RefuseMissing(ObjectStore store, IReadOnlyList<string> missing)
     {
         const int shown = 20;
         if (missing.Count > 0)

@@ -19,12 +19,12 @@ sealed class TaskRun : IDisposable
         Memory.Limit(m_settings, memory ?? plan.Estimate.MemoryBytes.ToString(CultureInfo.InvariantCulture));
         // RunToEnd waits for jobs, so none are scheduled ahead to fill the time between ticks.
         m_settings.InFlightMs = 0;
-        Store = TaskStore.Open(plan.Store);
+        Store = ObjectStore.Open(plan.Store);
     }
 
     public BuildPlan Plan { get; }
     public string Name { get; }
-    public TaskStore Store { get; }
+    public ObjectStore Store { get; }
     public CloudSettings Cloud { get; }
     public ParseResult Parsed { get; }
     public CliRun Run => m_run;
@@ -105,7 +105,7 @@ sealed class TaskRun : IDisposable
                 foreach (string path in Directory.GetFiles(Path.Combine(Scratch[folder], files)))
                     yield return (files + "/" + Path.GetFileName(path), path);
         foreach (string path in Directory.GetFiles(Scratch[folder], PartNames))
-            yield return (TaskStore.WorkFolder + name + Path.GetExtension(path), path);
+            yield return (ObjectStore.WorkFolder + name + Path.GetExtension(path), path);
     }
 
     const string PartNames = "part.*";
@@ -160,9 +160,9 @@ sealed class TaskRun : IDisposable
 
     public PartInput Fetch(string task) => new()
     {
-        TopsPath = Store.Fetch(TaskStore.WorkFolder + task + ".tops", Scratch.Folder),
+        TopsPath = Store.EnsureLocal(ObjectStore.WorkFolder + task + ".tops", Scratch.Folder),
         NodesPath = FetchNodes(task),
     };
 
-    public string FetchNodes(string task) => Store.Fetch(TaskStore.WorkFolder + task + ".nodes", Scratch.Folder);
+    public string FetchNodes(string task) => Store.EnsureLocal(ObjectStore.WorkFolder + task + ".nodes", Scratch.Folder);
 }

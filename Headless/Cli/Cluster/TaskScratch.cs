@@ -17,8 +17,7 @@ sealed class TaskScratch : IDisposable
 
     public string Folder { get; }
 
-    /// <summary>What was made is in the store, and the folder goes.</summary>
-    public bool IsDone { get; set; }
+    public bool IsDone { get; set; } // What was made is in the store, and the folder goes.
 
     public static TaskScratch Take(string? root, string name)
     {

@@ -16,11 +16,9 @@ sealed class TaskSources : IDisposable
 
     public PointReader Reader { get; }
 
-    /// <summary>Ascending, of the reader.</summary>
-    public List<int> Blocks { get; } = [];
+    public List<int> Blocks { get; } = []; // Ascending, of the reader.
 
-    /// <summary>By entry of these.</summary>
-    public List<bool> IsOwn { get; } = [];
+    public List<bool> IsOwn { get; } = []; // By entry of these.
 
     /// <exception cref="PointCloudException">One cannot be read, or is another one than when it was planned.</exception>
     public static TaskSources Open(TaskRun task, JsonMembers json)

@@ -9,7 +9,7 @@ public sealed class DrawStep
     public required Legend Legend { get; init; }
     public required IReadOnlyList<string> Assumptions { get; init; }
     public string Device { get; init; } = "cpu, " + Threads.InUse + (Threads.InUse == 1 ? " thread" : " threads");
-    internal ImageError? Error { get; private set; }
+    internal ImageError? Difference { get; private set; }
 
     /// <param name="budget">Points to draw at most; 0 for all.</param>
     public static DrawStep Run(PointReader reader, PictureOptions options, long budget, CliRun run)
@@ -106,15 +106,15 @@ public sealed class DrawStep
         }
     }
 
-    public RgbaImage ToImage(bool isPlain) => isPlain ? Image : Legend.DrawOn(Image);
+    public RgbaImage ToImage(bool isPlain) => isPlain ? Image : Legend.CopyWithLegend(Image);
 
     public string Describe() => NumberFormat.Count(Points, "point")
         + (Nodes is { } nodes ? " of " + NumberFormat.Count(nodes, "node") : "") + " in " + NumberFormat.Seconds(Seconds);
 
     public void Compare(RgbaImage image, RgbaImage reference, uint background) =>
-        Error = ImageError.Compare(image, reference, background);
+        Difference = ImageError.Compare(image, reference, background);
 
-    public string? DescribeError() => Error is not { } error ? null
+    public string? DescribeDifference() => Difference is not { } error ? null
         : "PSNR " + NumberFormat.Value(error.Psnr) + " dB, SSIM " + NumberFormat.Value(error.Ssim)
             + ", FLIP " + NumberFormat.Value(error.Flip) + " (" + Math.Round(FlipMap.DefaultPixelsPerDegree)
             + " pixels per degree), uncovered " + NumberFormat.Value(100 * error.Uncovered) + "%";
@@ -127,7 +127,7 @@ public sealed class DrawStep
         else
             json.WriteNull("nodes");
         json.WriteString("device", Device);
-        if (Error is not { } error)
+        if (Difference is not { } error)
             return;
         json.WriteReal("psnr", error.Psnr);
         json.WriteReal("ssim", error.Ssim);

@@ -28,7 +28,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
                 JobCoroutine.RunToEnd(ranges.Measure(batch, reader.Info.Transform, options.UpAxis), cancellation);
             var source = new TreeSource(reader,
                 CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty, false));
-            var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
+            var plan = new PicturePlan(options, ranges, source.Grid.TransformFromCorner(source.Root.Corner));
             return new FlightCloud(plan, ranges, stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)))
             {
                 Crs = reader.Info.Crs.ToCloudCrs(),
@@ -81,7 +81,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
         }
         var source = new TreeSource(sample!,
             CloudLooks.PlanesFor(ranges.Resolve(options.Color), !options.HiddenClasses.IsEmpty, false));
-        return new FlightCloud(new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner)), ranges,
+        return new FlightCloud(new PicturePlan(options, ranges, source.Grid.TransformFromCorner(source.Root.Corner)), ranges,
             stream.Add(source, CloudPlacement.Geo(source.Grid, source.Root)))
         {
             Crs = reader.Info.Crs.ToCloudCrs(),
@@ -96,7 +96,7 @@ sealed record FlightCloud(PicturePlan Plan, DisplayRanges Ranges, int Number)
         {
             LookSettings.RequireStreamable(options, folder.Manifest.Attributes, path);
             var edits = EditPlan.Of(folder, out var refused);
-            var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
+            var transform = folder.Manifest.Grid.TransformFromCorner(folder.Manifest.Root.Corner);
             var ranges = plansByManifest && folder.Manifest.DisplayRanges != null ? DisplayRanges.Of(folder.Manifest)
                 : MeasureRanges(folder, edits, options, cancellation);
             var plan = new PicturePlan(options, ranges, transform);

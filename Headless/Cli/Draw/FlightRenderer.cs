@@ -4,8 +4,7 @@ public abstract class FlightRenderer(PictureOptions options) : IDisposable
 {
     public PictureOptions Options => options;
 
-    /// <summary>Of the first cloud: light falls on all.</summary>
-    internal PicturePlan? Plan { get; private set; }
+    internal PicturePlan? Plan { get; private set; } // Of the first cloud: light falls on all.
 
     internal virtual void Add(int cloud, PicturePlan plan) => Plan ??= plan;
 

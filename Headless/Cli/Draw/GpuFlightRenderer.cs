@@ -45,7 +45,7 @@ public sealed class GpuFlightRenderer : FlightRenderer
         var view = RenderViews.Of(camera, width, height, camera.IsOrthographic ? MaxCloudDepth(camera) : 0);
         view.Style = StyleOf(Options, m_edlStrength);
         view.Style.PointsPerFrame = PointsPerFrame;
-        view.Light = Plan?.Light.From(camera.EyeGeo) ?? default;
+        view.Light = Plan?.Light.RelativeTo(camera.EyeGeo) ?? default;
         view.Color = m_target;
         view.Depth = m_target;
         m_renderer.Prepare(m_stream, camera.ToStreamView(width, height), view.Style);

@@ -19,7 +19,7 @@ public sealed class Legend(ColorMode mode, DisplayRanges ranges, Camera camera, 
     internal static Legend Of(PicturePlan plan, PictureOptions options, CloudCrs crs) =>
         new(plan.Mode, plan.Ranges, plan.Camera, options, crs);
 
-    public RgbaImage DrawOn(RgbaImage image)
+    public RgbaImage CopyWithLegend(RgbaImage image)
     {
         var copy = new RgbaImage(image.Width, image.Height);
         image.Rgba.CopyTo(copy.Rgba, 0);

@@ -48,7 +48,7 @@ static class OutputNames
     {
         if (SourcePath.IsRemote(path))
             throw new UsageException("--output: nothing is written to servers, got " + SourcePath.WithoutQuery(path));
-        if (FileNames.IsLink(path))
+        if (NonUtf8Names.IsTemporaryLink(path))
             throw new UsageException(Path.GetFileName(path) + ": nothing is written under a name that is no UTF-8");
     }
 

@@ -39,8 +39,7 @@ sealed class DensityMap
     public bool HasArea { get; }
     public double CellSize { get; }
 
-    /// <summary>Over the cells that have points, in points on a square unit of length.</summary>
-    public double[] Quartiles { get; }
+    public double[] Quartiles { get; } // Over the cells that have points, in points on a square unit of length.
 
     public double High { get; }
 

@@ -24,8 +24,7 @@ sealed class ViewCloud
     public string Unit => NumberFormat.Unit(Ranges.Units.Horizontal);
     public List<ViewWave> Waves { get; } = [];
 
-    /// <summary>FLIP of all points with one sample a pixel; see <see cref="WaveFlips"/>.</summary>
-    public double FlipFloor { get; private set; }
+    public double FlipFloor { get; private set; } // FLIP of all points with one sample a pixel; see WaveFlips.
 
     /// <summary>What is shown: everything, or what nearly all points are in where few far ones would leave it too few
     /// pixels.</summary>
@@ -116,7 +115,7 @@ sealed class ViewCloud
         var schema = LoadNodes.SchemaFor(folder, folder.Manifest.Attributes.Select(a => a.Name).ToArray());
         var batch = new PointBatch(schema, checked((int)selection.Points), Allocator.Persistent);
         run.RunSteps(selection.Load(batch, null));
-        transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
+        transform = folder.Manifest.Grid.TransformFromCorner(folder.Manifest.Root.Corner);
         crs = folder.Manifest.Crs;
         return batch;
     }

@@ -11,12 +11,10 @@ sealed class ViewColumn
 
     public bool IsChannel { get; private init; }
 
-    /// <summary>Of an amount: what its colours span.</summary>
-    public double Low { get; private set; }
+    public double Low { get; private set; } // Of an amount: what its colours span.
     public double High { get; private set; }
 
-    /// <summary>Of a category; otherwise empty.</summary>
-    public double[] Values { get; private set; } = [];
+    public double[] CategoryValues { get; private set; } = []; // Of a category; otherwise empty.
 
     /// <summary>The one value that all points have; NaN where there are several.</summary>
     public double Constant { get; private init; } = double.NaN;
@@ -43,7 +41,7 @@ sealed class ViewColumn
             bool isCategory = name is AttributeNames.Classification or AttributeNames.PointSourceId ? distinct.Length <= MaxNames
                 : name is not AttributeNames.Intensity and not AttributeNames.ScanAngle && distinct.Length <= MaxCategories;
             if (isCategory && distinct.Length > 1 && distinct.All(v => v == Math.Floor(v)))
-                column.Values = distinct;
+                column.CategoryValues = distinct;
             else if (distinct.Length > 0)
                 column.SetRange(Shown(name, sets[^1]), ranges);
             columns.Add(column);
@@ -86,10 +84,11 @@ sealed class ViewColumn
         json.WriteStartObject();
         json.WriteString("name", Name);
         values.WriteType(json, ScaleOf(Name, values));
-        json.WriteString("kind", IsChannel ? "channel" : IsConstant ? "constant" : Values.Length > 0 ? "category" : "amount");
+        json.WriteString("kind", IsChannel ? "channel" : IsConstant ? "constant"
+            : CategoryValues.Length > 0 ? "category" : "amount");
         if (IsConstant)
             json.WriteString("value", NameOf(Name, Constant));
-        else if (Values.Length > 0)
+        else if (CategoryValues.Length > 0)
             WriteCategories(json, values);
         else if (!IsChannel)
         {
@@ -116,7 +115,7 @@ sealed class ViewColumn
         };
         using var palette = Palettes.Create(mode, Allocator.Persistent);
         var counts = values.CountBy(v => v).ToDictionary();
-        json.WriteObjects("categories", Values, value =>
+        json.WriteObjects("categories", CategoryValues, value =>
         {
             json.WriteNumber("value", value);
             json.WriteString("name", NameOf(Name, value));

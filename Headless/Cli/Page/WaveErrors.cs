@@ -12,7 +12,7 @@ static class WaveErrors
         if (!reader.BlocksAreKnown)
             run.RunSteps(reader.IndexBlocks());
         run.Progress.Begin("error of the waves");
-        using var uniform = new UniformSampler(reader, Queries, Seed);
+        using var uniform = new FileOrderSampler(reader, Queries, Seed);
         run.RunSteps(uniform.Run(0, run.Progress));
         using var sample = uniform.TakeSample();
         using var queries = new NativeArray<double3>(Math.Max(1, sample.Count), Allocator.Persistent);

@@ -27,7 +27,7 @@ sealed record WaveFlips(List<double> OfWave, double Floor)
             run.RunSteps(SamplePicture.DrawAndResolve(canvas, points, plan, null));
             return canvas.ToImage();
         }
-        var ofAll = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
+        var ofAll = folder.Manifest.Grid.TransformFromCorner(folder.Manifest.Root.Corner);
         var smooth = Draw(all, ofAll, samples);
         double FlipOf(RgbaImage picture) => FlipMap.Of(picture, smooth).Mean;
         var flips = new List<double>();

@@ -62,7 +62,7 @@ static class PlannedParts
     {
         var part = whole.Clone();
         part.Cube = cube;
-        part.BaseCells = Array.FindAll(whole.BaseCells, cell => cube.Contains(cell));
+        part.BaseCells = Array.FindAll(whole.BaseCells, cell => cube.ContainsAligned(cell));
         return part;
     }
 
@@ -80,7 +80,7 @@ static class PlannedParts
     public static void RequireDivisors(this BuildPart part, IReadOnlyList<AttributeStatistics> found, string path)
     {
         for (int a = 0; a < part.Attributes.Count; a++)
-            if (!found[a].IsEmpty && (part.Divisors[a] == 257 ? found[a].Modulo257Or != 0
+            if (!found[a].IsEmpty && (part.Divisors[a] == 257 ? found[a].Modulo257OrOfUInt16 != 0
                 : (found[a].Or & (ulong)(part.Divisors[a] - 1)) != 0))
                 throw new PointCloudException(FailureCode.BadInput, path, -1, "values of " + part.Attributes[a].Name +
                     " are no multiples of " + part.Divisors[a] + ", as those of the plan's sample are: " +
@@ -135,7 +135,7 @@ static class PlannedParts
             if (part.SideLog2 == cellLog2)
             {
                 cells.Add(~((1 << 3 * levels) + parts.Count));
-                while (next < chunks.Length && part.Contains(chunks[next]))
+                while (next < chunks.Length && part.ContainsAligned(chunks[next]))
                     Add(parts, smallest);
                 return;
             }

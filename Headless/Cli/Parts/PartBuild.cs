@@ -211,7 +211,7 @@ sealed class PartBuild : PartStages
         for (int c = 0; c < m_octree.Results.Count; c++)
             merge.Add(m_octree.Results[c], m_octree.TopRecords[c]);
         // Tops of points outside of the whole cube meet all others in the last merge.
-        if (part.CloudCube.Contains(part.Cube))
+        if (part.CloudCube.ContainsAligned(part.Cube))
             yield return JobStep.Of(merge.Collect(part.Cube, Build.Progress));
         var result = new PartResult(part.Attributes.Count, m_octree.BytesOfPlane.Length)
         {

@@ -12,15 +12,13 @@ unsafe struct PartHeader
 
     const int MaxFactBytes = 1 << 20;
 
-    /// <summary>Of all behind it up to the pieces. It tells one part.nodes from all others.</summary>
-    [FieldOffset(0)] public ulong HeaderHash;
+    [FieldOffset(0)] public ulong HeaderHash; // Of all behind it up to the pieces. It tells one part.nodes from all others.
     [FieldOffset(8)] public ulong Magic;
     [FieldOffset(16)] public int Version;
     [FieldOffset(20)] public int FactBytes;
     [FieldOffset(24)] public ulong CloudId;
 
-    /// <summary>The hash of the part.nodes that belongs to part.tops.</summary>
-    [FieldOffset(32)] public ulong NodesHash;
+    [FieldOffset(32)] public ulong NodesHash; // The hash of the part.nodes that belongs to part.tops.
     [FieldOffset(40)] public long EntriesOffset;
     [FieldOffset(48)] public long EntryBytes;
     [FieldOffset(56)] public ulong EntriesHash;

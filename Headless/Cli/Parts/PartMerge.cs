@@ -100,7 +100,7 @@ sealed class PartGraph
     {
         var file = new File { Path = path, Nodes = nodes, Regions = new Subtree[nodes.Regions.Count] };
         for (int r = 0; r < file.Regions.Length; r++)
-            file.Regions[r] = PartOf(path, nodes.Regions[r]);
+            file.Regions[r] = SubtreeOf(path, nodes.Regions[r]);
         m_files.Add(file);
         if (!m_byHash.TryAdd(nodes.Hash, file))
             throw new PointCloudException(FailureCode.BadInput, path, -1, "is the same as " + m_byHash[nodes.Hash].Path);
@@ -113,7 +113,7 @@ sealed class PartGraph
         File? last = null;
         foreach (var file in m_files)
             for (int i = 0; i < file.Nodes.Inputs.Count; i++)
-                Find(file, i);
+                LinkInput(file, i);
         foreach (var file in m_files)
         {
             if (file.Above != null)
@@ -135,7 +135,7 @@ sealed class PartGraph
         {
             manifest.ChunkCount += file.Nodes.Chunks.Count;
             foreach (var chunk in file.Nodes.Chunks)
-                Attach(file, chunk.AttachPoint, PartOf(file.Path, chunk));
+                Attach(file, chunk.AttachPoint, SubtreeOf(file.Path, chunk));
             for (int r = 0; r < file.Regions.Length; r++)
                 if (file.Nodes.Regions[r].AttachPoint.Region == PartAttachPoint.Root)
                     root = file.Regions[r];
@@ -148,7 +148,7 @@ sealed class PartGraph
         return root;
     }
 
-    void Find(File file, int input)
+    void LinkInput(File file, int input)
     {
         ulong hash = file.Nodes.Inputs[input].NodesHash;
         if (!m_byHash.TryGetValue(hash, out var below))
@@ -172,7 +172,7 @@ sealed class PartGraph
         file.Regions[attachPoint.Region].Children.Add((attachPoint.Node, subtree));
     }
 
-    static Subtree PartOf(string path, in PartNodes.Entry entry) => new Subtree
+    static Subtree SubtreeOf(string path, in PartNodes.Entry entry) => new Subtree
     {
         Cube = entry.Container.Cube,
         Container = entry.Container,

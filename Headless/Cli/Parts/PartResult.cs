@@ -60,7 +60,7 @@ sealed class PartResult
             to.Write(attribute.OrderedMin);
             to.Write(attribute.OrderedMax);
             to.Write(attribute.Or);
-            to.Write(attribute.Modulo257Or);
+            to.Write(attribute.Modulo257OrOfUInt16);
         }
         foreach (long bytes in BytesOfPlane)
             to.Write(bytes);
@@ -93,7 +93,7 @@ sealed class PartResult
                 OrderedMin = from.ReadUInt64(),
                 OrderedMax = from.ReadUInt64(),
                 Or = from.ReadUInt64(),
-                Modulo257Or = from.ReadUInt32(),
+                Modulo257OrOfUInt16 = from.ReadUInt32(),
             };
         for (int p = 0; p < result.BytesOfPlane.Length; p++)
             result.BytesOfPlane[p] = from.ReadInt64();

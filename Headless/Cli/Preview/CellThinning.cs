@@ -12,13 +12,13 @@ public static class CellThinning
         var size = ranges.Robust.Size;
         double edge = Math.Max(size.x, Math.Max(size.y, size.z));
         double cellsPerUnit = edge > 0 ? CellsPerRootOfPoints * Math.Sqrt(wanted) / edge : 0;
-        var cells = new OccupiedCells { Corner = ranges.Robust.Min, CellsPerUnit = cellsPerUnit };
+        var cells = new CellHashing { Corner = ranges.Robust.Min, CellsPerUnit = cellsPerUnit };
         var isFirst = new bool[points.Count];
         int firsts = 0;
         double* x = stackalloc double[BatchLength], y = stackalloc double[BatchLength], z = stackalloc double[BatchLength];
         byte* bytes = (byte*)points.Bytes.GetUnsafeReadOnlyPtr();
         var positions = PositionColumns.Of(points);
-        fixed (ulong* table = new ulong[OccupiedCells.Words])
+        fixed (ulong* table = new ulong[CellHashing.Words])
         {
             for (int first = 0; first < points.Count; first += BatchLength)
             {

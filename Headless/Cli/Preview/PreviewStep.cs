@@ -41,7 +41,7 @@ public sealed class PreviewStep
         };
     }
 
-    public byte[] ToPng(bool isPlain) => Png.Encode(isPlain ? Image : Legend.DrawOn(Image));
+    public byte[] ToPng(bool isPlain) => Png.Encode(isPlain ? Image : Legend.CopyWithLegend(Image));
 
     public string Describe() => NumberFormat.Count(Points, "point") + ", " + NumberFormat.Value(100 * Fraction) + "% of the cloud"
         + ", from " + NumberFormat.Bytes(BytesRead) + " read in " + NumberFormat.Seconds(Seconds) + " (" + Method + ")";

@@ -31,7 +31,7 @@ public sealed class SampleMethods(Func<PointReader> open, PreviewOptions options
     public MeasuredSample FullScan(int points) => Timed((reader, secondsToOpen) =>
     {
         var watch = Stopwatch.StartNew();
-        using var sampler = new UniformSampler(reader, points, options.Seed);
+        using var sampler = new FileOrderSampler(reader, points, options.Seed);
         run.RunSteps(sampler.Run(0, run.Progress));
         double seconds = secondsToOpen + watch.Elapsed.TotalSeconds;
         var sample = sampler.TakeSample();

@@ -12,12 +12,12 @@ sealed unsafe class PieceFileWriter(CloudFolderWriter folder, string name) : IDi
 
     public bool IsFull => m_bytes.Length >= BytesPerPiece;
 
-    public ReadOnlySpan<byte> Append(SafeFileHandle file, string path, long offset, int count)
+    public ReadOnlySpan<byte> Append(SafeFileHandle source, string sourcePath, long offset, int count)
     {
         int start = m_bytes.Length;
         m_bytes.Resize(start + count, NativeArrayOptions.UninitializedMemory);
         var to = new Span<byte>(m_bytes.GetUnsafePtr() + start, count);
-        Read(file, path, offset, to);
+        Read(source, sourcePath, offset, to);
         return to;
     }
 

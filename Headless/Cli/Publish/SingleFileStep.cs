@@ -124,7 +124,7 @@ sealed unsafe class SingleFileStep : IDisposable
         {
             Cube = manifest.Root,
             Kind = ContainerKind.SingleFile,
-            FileBytes = manifest.HierarchyBytes + shift,
+            FileBytes = manifest.HierarchyFileBytes + shift,
             Hash = ContentHash.Of(MemoryMarshal.AsBytes<ulong>(m_containers.Select(c => c.Container.Hash).ToArray())),
         };
         var hashes = new ulong[m_cloud.PageCount];
@@ -138,7 +138,7 @@ sealed unsafe class SingleFileStep : IDisposable
             m_progress.Report(1 - page / (double)hashes.Length, 0, 0);
         }
         manifest.IsSingleFile = true;
-        manifest.HierarchyBytes = whole.FileBytes;
+        manifest.HierarchyFileBytes = whole.FileBytes;
         manifest.RootOffset += shift;
         manifest.RootHash = hashes[0];
         yield return JobStep.Of(m_file.Seal(new FileHeader

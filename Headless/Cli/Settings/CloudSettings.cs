@@ -10,7 +10,7 @@ public sealed class CloudSettings
 
     // For tests and tuning: they change what is stored, and no figure is given for other values.
     readonly Option<long?> m_chunkPoints = Counts.Optional("--chunk-points", "The most points of a chunk.");
-    readonly Option<long?> m_leafPoints = Counts.Optional("--leaf-points", "The most points of a leaf.");
+    readonly Option<long?> m_leafPoints = Counts.Optional("--leaf-points", "About how many points a leaf has.");
     readonly FilterSettings m_filter;
     readonly SourceSettings m_source;
     readonly List<Option> m_options;
@@ -35,7 +35,7 @@ public sealed class CloudSettings
             Sampler = sampler,
             Attributes = parsed.GetValue(m_attributes)?.Split(',', System.StringSplitOptions.RemoveEmptyEntries),
             PointsPerChunk = parsed.GetValue(m_chunkPoints) ?? 0,
-            MaxPointsPerLeaf = Counts.ToInt(parsed.GetValue(m_leafPoints) ?? 0),
+            TargetPointsPerLeaf = Counts.ToInt(parsed.GetValue(m_leafPoints) ?? 0),
         };
     }
 

@@ -23,14 +23,13 @@ sealed class FilterPolygons : IDisposable
     public double2 Min => m_min;
     public double2 Max => m_max;
 
-    /// <summary>The first edge of each slab among <see cref="EdgesOfSlabs"/>, and one more entry.</summary>
+    /// <summary>The first edge of each slab among <see cref="RelativeEdgesOfSlabs"/>, and one more entry.</summary>
     public NativeArray<int> FirstOfSlab { get; private set; }
 
-    /// <summary>By slab, in each by polygon.</summary>
-    public NativeArray<FilterEdge> EdgesOfSlabs { get; private set; }
+    public NativeArray<FilterEdge> RelativeEdgesOfSlabs { get; private set; } // By slab, in each by polygon.
 
-    public unsafe ulong Hash => ContentHash.Of(EdgesOfSlabs.GetUnsafeReadOnlyPtr(),
-        (long)EdgesOfSlabs.Length * sizeof(FilterEdge)) ^ math.asulong(m_min.x) ^ 2 * math.asulong(m_min.y);
+    public unsafe ulong Hash => ContentHash.Of(RelativeEdgesOfSlabs.GetUnsafeReadOnlyPtr(),
+        (long)RelativeEdgesOfSlabs.Length * sizeof(FilterEdge)) ^ math.asulong(m_min.x) ^ 2 * math.asulong(m_min.y);
 
     /// <param name="polygons">Rings of each; an open one is closed.</param>
     /// <exception cref="FormatException">There are no vertices, or one is not finite.</exception>
@@ -54,7 +53,7 @@ sealed class FilterPolygons : IDisposable
         if (!FirstOfSlab.IsCreated)
             return;
         FirstOfSlab.Dispose();
-        EdgesOfSlabs.Dispose();
+        RelativeEdgesOfSlabs.Dispose();
         FirstOfSlab = default;
     }
 
@@ -94,7 +93,7 @@ sealed class FilterPolygons : IDisposable
                     Polygon = edge.Polygon,
                 };
         FirstOfSlab = first;
-        EdgesOfSlabs = edges;
+        RelativeEdgesOfSlabs = edges;
         m_edges.Clear();
     }
 
@@ -113,6 +112,6 @@ sealed class FilterPolygons : IDisposable
     int LastSlab(in FilterEdge edge, int slabs) =>
         math.min(slabs - 1, SlabOf(math.max(edge.From.y, edge.To.y) - m_min.y, m_max.y - m_min.y, slabs) + 1);
 
-    public static int SlabOf(double y, double height, int slabs) =>
-        height > 0 ? (int)math.clamp(y / height * slabs, 0, slabs - 1) : 0;
+    public static int SlabOf(double yFromMin, double height, int slabs) =>
+        height > 0 ? (int)math.clamp(yFromMin / height * slabs, 0, slabs - 1) : 0;
 }

@@ -72,7 +72,7 @@ sealed class FilterSlot : IFilterSlot
             Steps = new NativeArray<FilterStep>(FilterSteps.Of(filter.Expressions, batch, transform), Allocator.Persistent),
             Clips = new NativeArray<LocalClip>(filter.Clips, Allocator.Persistent),
             Chosen = new NativeArray<int>(PointsPerSlice, Allocator.Persistent),
-            Edges = filter.Polygons?.EdgesOfSlabs ?? new NativeArray<FilterEdge>(0, Allocator.Persistent),
+            Edges = filter.Polygons?.RelativeEdgesOfSlabs ?? new NativeArray<FilterEdge>(0, Allocator.Persistent),
             FirstOfSlab = filter.Polygons?.FirstOfSlab ?? new NativeArray<int>(0, Allocator.Persistent),
             PolygonMin = filter.Polygons?.Min ?? default,
             PolygonSize = filter.Polygons == null ? default : filter.Polygons.Max - filter.Polygons.Min,

@@ -26,8 +26,7 @@ sealed class S3Addresses
 
     internal static TimeSpan Lifetime { get; set; } = TimeSpan.FromHours(1);
 
-    /// <summary>No credentials were found: what is public is read all the same.</summary>
-    public static bool IsUnsigned { get; private set; }
+    public static bool IsUnsigned { get; private set; } // No credentials were found: what is public is read all the same.
 
     /// <returns>The words, with addresses in place of those that begin with s3://; from now on these are signed. What is
     /// written to keeps its name.</returns>

@@ -9,8 +9,7 @@ sealed class Spread
     Spread(BoundsGeo robustBounds, DensityMap density, string unit) =>
         (RobustBounds, m_density, Unit) = (robustBounds, density, unit);
 
-    /// <summary>Bounds of 99.9 % of the points along each axis.</summary>
-    public BoundsGeo RobustBounds { get; }
+    public BoundsGeo RobustBounds { get; } // Bounds of 99.9 % of the points along each axis.
 
     public string Unit { get; }
 
@@ -66,8 +65,7 @@ sealed class SpreadSample(PointReader reader) : IDisposable
 
     SampleStrata m_strata;
 
-    /// <summary>Null before the first, and without positions.</summary>
-    public PointBatch? Points { get; private set; }
+    public PointBatch? Points { get; private set; } // Null before the first, and without positions.
 
     public long Found { get; private set; }
 

@@ -75,7 +75,7 @@ sealed class SurfaceStep : IDisposable
 
     IEnumerator<JobStep> Filter(PointFilter filter, PointBatch batch)
     {
-        var transform = m_folder.Manifest.Grid.FromCorner(m_folder.Manifest.Root.Corner);
+        var transform = m_folder.Manifest.Grid.TransformFromCorner(m_folder.Manifest.Root.Corner);
         using var slot = new FilterSlot(filter, batch, transform);
         using var all = new NativeReference<DecodeResult>(new DecodeResult { Points = batch.Count }, Allocator.Persistent);
         if (batch.Count == 0)

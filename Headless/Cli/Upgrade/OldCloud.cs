@@ -20,8 +20,7 @@ sealed unsafe class OldCloud : IDisposable
         m_planeCount = manifest.CreateLayout().Planes.Count;
     }
 
-    /// <summary>As of version 3, but for where the hierarchy is.</summary>
-    public CloudManifest Manifest { get; }
+    public CloudManifest Manifest { get; } // As of version 3, but for where the hierarchy is.
     public List<SourceEntry> Sources { get; }
     public OldTable Upper => m_upper!;
     public List<OldChunk> Chunks { get; } = [];
@@ -115,7 +114,7 @@ sealed unsafe class OldCloud : IDisposable
         for (int c = 0; c < header.ChunkCount; c++)
         {
             if (chunks[c].AttachNode < 0 || chunks[c].AttachNode >= header.NodeCount || chunks[c].NodeCount < 1
-                || chunks[c].SideLog2 is < 0 or > GridCube.MaxSideLog2 || !Manifest.Root.Contains(chunks[c].Cube))
+                || chunks[c].SideLog2 is < 0 or > GridCube.MaxSideLog2 || !Manifest.Root.ContainsAligned(chunks[c].Cube))
                 throw Damage(path, -1, "chunk " + chunks[c].Number + " hangs on no node");
             Chunks.Add(chunks[c]);
         }

@@ -44,7 +44,7 @@ sealed unsafe class OldTable : IDisposable
         for (int i = 0; i < NodeCount; i++)
         {
             var node = Nodes[i];
-            bool isRight = node.Parent >= -1 && node.Parent < i && root.Contains(node.Cube) && node.ChildCount >= 0
+            bool isRight = node.Parent >= -1 && node.Parent < i && root.ContainsAligned(node.Cube) && node.ChildCount >= 0
                 && node.ChildCount <= NodeCount - nextChild && (node.ChildCount == 0 || node.FirstChild == nextChild)
                 && (node.PlaneNode == i || node.PlaneNode == node.Parent && node.PlaneNode >= 0 && node.ChildCount == 0);
             for (int p = 0; p < m_planeCount; p++)

@@ -116,7 +116,7 @@ sealed unsafe class UpgradeStep : IDisposable
         manifest.RootOffset = root.OffsetBytes;
         manifest.RootBytes = root.LengthBytes;
         manifest.RootHash = root.Hash;
-        manifest.HierarchyBytes = pages.Offset;
+        manifest.HierarchyFileBytes = pages.Offset;
         using var none = new PieceFileWriter(m_to, name);
         yield return JobStep.Of(none.Seal(new FileHeader
         {
@@ -126,7 +126,7 @@ sealed unsafe class UpgradeStep : IDisposable
             {
                 Cube = manifest.Root,
                 Kind = ContainerKind.Hierarchy,
-                FileBytes = manifest.HierarchyBytes,
+                FileBytes = manifest.HierarchyFileBytes,
                 Hash = manifest.RootHash,
             },
             CloudId = manifest.CloudId,

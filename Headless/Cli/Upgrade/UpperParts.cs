@@ -97,7 +97,7 @@ sealed unsafe class UpperParts : IDisposable
 
     GridCube Around(GridCube a, GridCube b)
     {
-        while (!a.Contains(b))
+        while (!a.ContainsAligned(b))
         {
             var from = a.Corner - m_root.Corner;
             int side = a.SideLog2 + 1;

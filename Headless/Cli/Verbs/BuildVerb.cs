@@ -26,8 +26,8 @@ public sealed class BuildVerb : Verb
     {
         var plan = m_task.ReadPlan(parsed, run);
         bool isBucket = parsed.GetResult(m_bucket) is { Implicit: false };
-        int number = m_task.Number(parsed, isBucket ? parsed.GetValue(m_bucket) : null, isBucket ? plan.BucketTasks : plan.Tasks,
-            isBucket ? "bucket task" : "task");
+        int number = m_task.Number(parsed, isBucket ? parsed.GetValue(m_bucket) : null,
+            isBucket ? plan.BucketTasks : plan.BuildTasks, isBucket ? "bucket task" : "task");
         var report = new TaskReport(run, number, "point");
         foreach (int build in isBucket ? [number] : plan.Builds.Of(number))
         {

@@ -86,7 +86,7 @@ public sealed class PictureVerb : Verb
         run.Out.WriteLine(output + ": " + result.Describe());
         foreach (string assumption in result.Assumptions)
             run.Out.WriteLine("  " + assumption);
-        if (result.DescribeError() is { } error)
+        if (result.DescribeDifference() is { } error)
             run.Out.WriteLine("  against " + against + ": " + error);
         StageTable.Of(run.Progress).Write(run.Out, "  ");
     }

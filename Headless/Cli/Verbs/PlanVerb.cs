@@ -55,7 +55,7 @@ public sealed class PlanVerb : Verb
         using var filter = m_cloud.Filter(parsed, reader);
         var wanted = filter == null ? reader : new FilteredReader(reader, filter);
         string full = S3Addresses.IsS3(store) ? store : Path.GetFullPath(store);
-        using (var there = TaskStore.Open(full))
+        using (var there = ObjectStore.Open(full))
             if (!run.Settings.IsForced && there.ReadText(StoreFormat.ManifestName) != null)
                 throw new UsageException("--store: there is a cloud already: " + store + "; --force plans all the same");
         string memory = parsed.GetRequiredValue(m_memory);
@@ -73,7 +73,7 @@ public sealed class PlanVerb : Verb
         run.WriteKeys = json =>
         {
             json.WriteInteger("points", plan.Whole.Points);
-            json.WriteNumber("tasks", plan.Tasks);
+            json.WriteNumber("tasks", plan.BuildTasks);
             json.WriteNumber("bucketTasks", plan.BucketTasks);
             plan.WriteMergeLevels(json);
             json.WriteString("mode", mode);
@@ -82,7 +82,8 @@ public sealed class PlanVerb : Verb
         };
         run.Out.WriteLine(plan.Path + ": " + NumberFormat.Count(plan.Whole.Points, "point") + " for "
             + (plan.BucketTasks > 0 ? NumberFormat.Count(plan.BucketTasks, "bucket task") + ", " : "")
-            + NumberFormat.Count(plan.Tasks, "task") + ", " + string.Join(" and ", plan.MergeTasks) + " merges, and the commit");
+            + NumberFormat.Count(plan.BuildTasks, "task") + ", "
+            + string.Join(" and ", plan.MergeTasks) + " merges, and the commit");
         run.Out.WriteLine("  mode   " + mode + ": tasks that read what overlaps them would read each point "
             + NumberFormat.Value(Math.Round(reads, 2)) + " times");
         run.Out.WriteLine("  takes  " + plan.Estimate.Describe());

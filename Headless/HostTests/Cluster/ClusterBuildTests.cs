@@ -127,7 +127,7 @@ public sealed class ClusterBuildTests
                 break;
             case "foreign":
                 var plan = BuildPlan.Read(m_cloud.Plan);
-                plan.ToText();
+                plan.ToTextAndSetHash();
                 File.WriteAllText(marker, PlanFile.ToText(json =>
                 {
                     json.WriteString("plan", "0123456789abcdef");

@@ -93,7 +93,7 @@ public sealed class CountryPlanTests
             {cells.Length:n0} base cells, {pointsOfCell.Count(p => p > 0):n0} with points,
             of {pointsOfCell.Max() / 1e6:f1} M at most
             {cubes.Length:n0} cubes, {kept.Length:n0} builds, of {built.Max() / 1e6:f1} M points at most,
-            {Points / kept.Length / 1e6:f1} M on average; {builds.Tasks:n0} tasks of {Points / builds.Tasks / 1e6:f1} M
+            {Points / kept.Length / 1e6:f1} M on average; {builds.BuildTasks:n0} tasks of {Points / builds.BuildTasks / 1e6:f1} M
             builds below 1 M points: {kept.Count(t => built[t] < 1e6):n0},
             with {kept.Where(t => built[t] < 1e6).Sum(t => built[t]) / Points:p2} of the points
             each point is read {pointsRead.Sum() / Points:f2} times;

@@ -55,7 +55,7 @@ class PartBuildTests : FolderTests
         PointsPerCheckpoint = 10000,
         KeepUnfinished = true,
         PointsPerChunk = 1500,
-        MaxPointsPerLeaf = 50,
+        TargetPointsPerLeaf = 50,
         CellsLog2 = 4,
         MemoryBytes = (long)megabytes << 20,
     };
@@ -94,7 +94,7 @@ class PartBuildTests : FolderTests
         int merges = 0;
         foreach (var octant in Enumerable.Range(0, 8).Select(plan.Whole.CloudCube.Child))
         {
-            var inOctant = Enumerable.Range(0, cubes.Length).Where(i => octant.Contains(cubes[i])).ToArray();
+            var inOctant = Enumerable.Range(0, cubes.Length).Where(i => octant.ContainsAligned(cubes[i])).ToArray();
             if (inOctant.Length < 2)
                 continue;
             string name = "merge" + merges++;

@@ -31,7 +31,7 @@ class PartMergeTests : FolderTests
         {
             Sampler = sampler,
             CellsLog2 = 4,
-            MaxPointsPerLeaf = 100,
+            TargetPointsPerLeaf = 100,
             PointsPerChunk = 600,
             PointsPerRegion = 2500,
             MemoryBytes = 1 << 19,
@@ -110,7 +110,7 @@ class PartMergeTests : FolderTests
                 result.Include(chunk.MinSideLog2, chunk.BytesOfPlane);
                 result.Statistics.Include(new PointStatistics
                 {
-                    Count = chunk.TopPoints + chunk.PointCount,
+                    Count = chunk.TopPoints + chunk.FilePointCount,
                     Min = m_made.Manifest.BoundsMin,
                     Max = m_made.Manifest.BoundsMax,
                 });
@@ -142,7 +142,7 @@ class PartMergeTests : FolderTests
     CloudManifest Commit(IEnumerable<string> nodesPaths)
     {
         var manifest = m_made.Manifest.Clone();
-        (manifest.Root, manifest.NodeCount, manifest.ChunkCount, manifest.HierarchyBytes) = (default, 0, 0, 0);
+        (manifest.Root, manifest.NodeCount, manifest.ChunkCount, manifest.HierarchyFileBytes) = (default, 0, 0, 0);
         JobCoroutine.RunToEnd(PartMerge.Commit(nodesPaths.ToArray(), manifest, Folder.File("commit"), null));
         return manifest;
     }
@@ -153,10 +153,10 @@ class PartMergeTests : FolderTests
     {
         var random = new Unity.Mathematics.Random(seed);
         var cubes = new List<GridCube> { whole };
-        while (cubes.Count(c => m_cubes.Any(c.Contains)) < parts)
+        while (cubes.Count(c => m_cubes.Any(c.ContainsAligned)) < parts)
         {
-            var large = cubes.Where(c => m_cubes.Count(c.Contains) > 1 && c.SideLog2 > 0 && !m_cubes.Contains(c)).ToList();
-            var cut = merges.Count % 2 == 0 ? large.OrderByDescending(c => m_cubes.Count(c.Contains)).First()
+            var large = cubes.Where(c => m_cubes.Count(c.ContainsAligned) > 1 && c.SideLog2 > 0 && !m_cubes.Contains(c)).ToList();
+            var cut = merges.Count % 2 == 0 ? large.OrderByDescending(c => m_cubes.Count(c.ContainsAligned)).First()
                 : large[random.NextInt(large.Count)];
             cubes.Remove(cut);
             merges.Add(cut);
@@ -166,7 +166,7 @@ class PartMergeTests : FolderTests
         return cubes;
     }
 
-    IEnumerable<int> In(GridCube cube) => Enumerable.Range(0, m_cubes.Length).Where(i => cube.Contains(m_cubes[i]));
+    IEnumerable<int> In(GridCube cube) => Enumerable.Range(0, m_cubes.Length).Where(i => cube.ContainsAligned(m_cubes[i]));
 
     void AssertSame(CloudManifest manifest, PartResult result)
     {
@@ -210,7 +210,7 @@ class PartMergeTests : FolderTests
         PartResult result = null;
         foreach (var cube in merges.OrderBy(c => c.SideLog2).ToList())
         {
-            var below = inputs.Where(i => cube.Contains(i.cube)).OrderBy(_ => random.NextUInt()).ToList();
+            var below = inputs.Where(i => cube.ContainsAligned(i.cube)).OrderBy(_ => random.NextUInt()).ToList();
             var merged = Merge(PartOf(whole, cube), below.Select(b => b.Item2).ToList(), "merge" + nodes.Count,
                 r => result = r);
             inputs.RemoveAll(below.Contains);

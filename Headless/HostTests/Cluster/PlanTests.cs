@@ -40,7 +40,7 @@ public sealed class PlanTests
             var rounds = MergeTree.Of(s_whole, cubeOf.Select(t => (t.Key, t.Value)));
             foreach (var merge in rounds.SelectMany(r => r))
             {
-                Assert.That(merge.Inputs.All(input => merge.Cube.Contains(cubeOf[input])), merge.Name);
+                Assert.That(merge.Inputs.All(input => merge.Cube.ContainsAligned(cubeOf[input])), merge.Name);
                 Assert.That(merge.Inputs.Count, Is.InRange(merge.Cube.SideLog2 == s_whole.SideLog2 ? 1 : 2, 512));
                 cubeOf.Add(merge.Name, merge.Cube);
             }
@@ -56,7 +56,7 @@ public sealed class PlanTests
         var random = new Random(3);
         var points = Enumerable.Range(0, 500).Select(_ => Math.Pow(random.NextDouble(), 5) * 100).ToArray();
         var tasks = BuildAssignment.Of(points, 70);
-        var builds = Enumerable.Range(0, tasks.Tasks).Select(task => tasks.Of(task).ToArray()).ToArray();
+        var builds = Enumerable.Range(0, tasks.BuildTasks).Select(task => tasks.Of(task).ToArray()).ToArray();
         Assert.That(builds.SelectMany(b => b), Is.EqualTo(Enumerable.Range(0, points.Length)));
         Assert.That(builds.Where(b => b.Length > 1).Max(b => b.Sum(build => points[build])), Is.InRange(60, 70));
         Assert.That(builds.SelectMany((b, task) => b.Select((_, part) => TaskNames.Build(task, part))), Is.EqualTo(tasks.Names));

@@ -8,7 +8,7 @@ sealed class S3StoreTests : RemoteFixture
 
     S3Server m_server;
     S3Proxy m_proxy;
-    TaskStore m_store;
+    ObjectStore m_store;
 
     [SetUp]
     public void Begin()
@@ -18,7 +18,7 @@ sealed class S3StoreTests : RemoteFixture
         S3Server.Use(m_proxy.Port);
         RemoteSettings.Current = new RemoteSettings();
         (S3Store.FirstPause, S3Store.IdleTime) = (TimeSpan.FromMilliseconds(1), TimeSpan.FromMilliseconds(300));
-        m_store = TaskStore.Open("s3://" + Bucket + "/town");
+        m_store = ObjectStore.Open("s3://" + Bucket + "/town");
     }
 
     [TearDown]
@@ -84,7 +84,7 @@ sealed class S3StoreTests : RemoteFixture
         string path = MakeFile("a.bin", 2_000_000);
         m_store.Put("work/a.bin", path);
         FailOnce(Enum.Parse<S3Fault>(fault), "GET");
-        Assert.That(File.ReadAllBytes(m_store.Fetch("work/a.bin", Scratch.Root)), Is.EqualTo(File.ReadAllBytes(path)));
+        Assert.That(File.ReadAllBytes(m_store.EnsureLocal("work/a.bin", Scratch.Root)), Is.EqualTo(File.ReadAllBytes(path)));
         Assert.That(m_proxy.Done, Is.Not.Empty);
         FailOnce(Enum.Parse<S3Fault>(fault), "GET");
         using var range = new MemoryStream();
@@ -100,7 +100,7 @@ sealed class S3StoreTests : RemoteFixture
         m_proxy.Plan = (_, _) => S3Fault.WrongTag;
         Assert.That(() => m_store.Put("a.bin", path), Throws.TypeOf<PointCloudException>().With.Property("Code")
             .EqualTo(FailureCode.WriteFailed));
-        Assert.That(() => m_store.Fetch("a.bin", Scratch.Root), Throws.TypeOf<PointCloudException>().With.Property("Code")
+        Assert.That(() => m_store.EnsureLocal("a.bin", Scratch.Root), Throws.TypeOf<PointCloudException>().With.Property("Code")
             .EqualTo(FailureCode.ReadFailed));
         Assert.That(m_store.ReadText("nothing"), Is.Null);
     }
@@ -120,7 +120,7 @@ sealed class S3StoreTests : RemoteFixture
         var commit = cloud.Commit();
         Assert.That(commit.Status, Is.EqualTo(ExitStatus.Done), commit.Error);
         Assert.That(m_proxy.Done.Distinct().Count(), Is.EqualTo(4));
-        using var store = TaskStore.Open(cloud.Store);
+        using var store = ObjectStore.Open(cloud.Store);
         Assert.That(store.List("work/"), Is.Empty);
         string copy = Scratch["copy"];
         foreach (string folder in new[] { "chunks", "upper" })

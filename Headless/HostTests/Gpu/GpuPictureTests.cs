@@ -239,7 +239,7 @@ public sealed class GpuPictureTests : GraphicsFixture
             PositionOrDirection = middle + new float3(0, 0, size.x / 2),
             Color = new float3(0, sizeSq / 8, 0),
             OneOverRangeSq = 1 / sizeSq,
-            Axis = new float3(0, 0, 1),
+            AxisToLight = new float3(0, 0, 1),
             ConeScale = 3,
             ConeOffset = -2,
         }, eye);

@@ -8,8 +8,7 @@ sealed class UrpHost : PipelineHost
     readonly Renderer m_renderer = new Renderer();
     public int Eye { get; set; }
 
-    /// <summary>As the 2D renderer may be.</summary>
-    public bool IsWithoutDepth { get; set; }
+    public bool IsWithoutDepth { get; set; } // As the 2D renderer may be.
 
     public VisibleLight? MainLight { get; set; }
     public VisibleLight Additional { get; set; }

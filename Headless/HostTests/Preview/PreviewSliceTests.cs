@@ -76,6 +76,6 @@ public sealed class PreviewSliceTests
         // At a fifth and at a half, and in the end.
         AreCut(runs, (waves + 1) * Slices(points, MaxEntries), "CompactSampleJob");
         AreCut(runs, Slices(all, MaxEntries), "SampleBlockJob");
-        AreCut(runs, Slices(all / 2, MaxLookedUp), "KeepEmptyCellsJob");
+        AreCut(runs, Slices(all / 2, MaxLookedUp), "AppendPlaceholdersJob");
     }
 }

@@ -32,8 +32,7 @@ sealed class NginxServer : IDisposable
     public int TlsPort { get; }
     public int Port { get; }
 
-    // By TLS, too.
-    public int Http2Port { get; }
+    public int Http2Port { get; } // By TLS, too.
 
     public string AuthorityPath => Path.Combine(m_folder, "authority.pem"); // For SSL_CERT_FILE.
 

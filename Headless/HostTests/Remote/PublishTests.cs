@@ -18,7 +18,7 @@ public sealed class PublishTests : ScratchTests
 
     void Convert()
     {
-        var settings = new ConvertSettings { PointsPerChunk = 6000, CellsLog2 = 4, MaxPointsPerLeaf = 500 };
+        var settings = new ConvertSettings { PointsPerChunk = 6000, CellsLog2 = 4, TargetPointsPerLeaf = 500 };
         using var reader = PointReaders.Open(Scratch.Demo(points: 20_000));
         JobCoroutine.RunToEnd(ConvertCloud.Run([reader], m_cloud, settings, _ => { }, null));
     }

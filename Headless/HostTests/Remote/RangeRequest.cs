@@ -8,14 +8,12 @@ sealed class RangeRequest
 
     public string Method { get; private set; }
 
-    // With its query, as it came.
-    public string Target { get; private set; }
+    public string Target { get; private set; } // With its query, as it came.
 
     // Of the file that is asked for.
     public string Name => Uri.UnescapeDataString(Regex.Replace(Target.Split('?')[0], "^/(redirected/)*", ""));
 
-    // That it was answered with.
-    public Fault Fault { get; set; }
+    public Fault Fault { get; set; } // That it was answered with.
 
     public string Header(string name) => m_headers.GetValueOrDefault(name);
 

@@ -30,20 +30,16 @@ sealed class RangeServer : IDisposable
         Address = m_host.Services.GetRequiredService<IServer>().Features.Get<IServerAddressesFeature>().Addresses.Single();
     }
 
-    // Without a slash at its end.
-    public string Address { get; }
+    public string Address { get; } // Without a slash at its end.
 
-    // Before each answer.
-    public int LatencyMs { get; set; }
+    public int LatencyMs { get; set; } // Before each answer.
 
-    // No answer begins before; null: none waits.
-    public Task Gate { get; set; }
+    public Task Gate { get; set; } // No answer begins before; null: none waits.
 
     // Which fault a request meets; null: none.
     public Func<RangeRequest, Fault> Plan { get; set; }
 
-    // Another server, which has the files; null: this one has them.
-    public string RedirectsTo { get; set; }
+    public string RedirectsTo { get; set; } // Another server, which has the files; null: this one has them.
 
     // Since the server began, or ResetCounts.
     public IReadOnlyList<RangeRequest> Requests

@@ -20,7 +20,7 @@ public sealed class RemoteCloudTests : ScratchTests
 
     string Convert(string name, int points)
     {
-        var settings = new ConvertSettings { PointsPerChunk = 6000, CellsLog2 = 4, MaxPointsPerLeaf = 500 };
+        var settings = new ConvertSettings { PointsPerChunk = 6000, CellsLog2 = 4, TargetPointsPerLeaf = 500 };
         using var reader = PointReaders.Open(Scratch.Demo(name + ".las", points));
         JobCoroutine.RunToEnd(ConvertCloud.Run([reader], Scratch[name], settings, _ => { }, null));
         return Scratch[name];

@@ -67,7 +67,7 @@ sealed class RemoteReadTests : RemoteFixture
         gate.SetResult();
         if (!isGivenUp)
         {
-            Assert.That(SpinWait.SpinUntil(() => fetched.IsDone, 10_000));
+            Assert.That(SpinWait.SpinUntil(() => fetched.PollIsDone(), 10_000));
             Assert.That(RemoteFile.Find(Server.Of("a.bin")), Is.Not.Null);
             fetched.Dispose();
         }

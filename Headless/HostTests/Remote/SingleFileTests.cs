@@ -12,7 +12,7 @@ sealed class SingleFileTests : RemoteFixture
         RemoteSettings.Current = new RemoteSettings { ConfirmedMs = 60_000 };
         m_many = Scratch["served/many.fastpoints"];
         m_one = Scratch["served/one.fastpoints"];
-        var settings = new ConvertSettings { PointsPerChunk = 6000, CellsLog2 = 4, MaxPointsPerLeaf = 500 };
+        var settings = new ConvertSettings { PointsPerChunk = 6000, CellsLog2 = 4, TargetPointsPerLeaf = 500 };
         using (var reader = PointReaders.Open(Scratch.Demo(points: 20_000)))
             JobCoroutine.RunToEnd(ConvertCloud.Run([reader], m_many, settings, _ => { }, null));
         Assert.That(Directory.GetFiles(Path.Combine(m_many, "chunks")), Has.Length.GreaterThan(1));

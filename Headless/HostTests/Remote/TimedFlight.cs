@@ -13,11 +13,9 @@ sealed class TimedFlight
     // Of frames, those that drew 95 % of what was selected, and knew all that was in view.
     public double FullShare => m_full / (double)m_mainThreadMs.Length;
 
-    // Of reads that ended while the camera moved.
-    public long ReadBytes { get; private set; }
+    public long ReadBytes { get; private set; } // Of reads that ended while the camera moved.
 
-    // Of the main thread, in the last half of the rest.
-    public long GarbageAtRest { get; private set; }
+    public long GarbageAtRest { get; private set; } // Of the main thread, in the last half of the rest.
 
     public static TimedFlight Over(string cloud, CameraPath path, int budget)
     {

@@ -27,10 +27,11 @@ public sealed class EditToolTests : SceneToolFixture
     FolderSource Shown => m_cloud.Number < 0 ? null
         : (FolderSource)m_world.GetExistingSystemManaged<PointCloudSystemGroup>().Stream.Clouds[m_cloud.Number].Source;
 
-    void WaitForEdits(int count)
+    void WaitForEdits(int count, Func<bool> also = null)
     {
         var watch = Stopwatch.StartNew();
-        string State() => EditQueue.IsBusy + ", " + Journal.Count + ", " + (Shown?.Edits?.Operations.Count ?? 0);
+        string State() => EditQueue.IsBusy + ", " + Journal.Count + ", " +
+            (Shown?.Edits?.Operations.Count(o => o.PointsChanged > 0) ?? 0);
         string wanted = "False, " + count + ", " + count;
         // This world has no systems that stream.
         using var views = new NativeArray<StreamView>(1, Allocator.Persistent) { [0] = StreamView.Everything(1) };
@@ -38,9 +39,9 @@ public sealed class EditToolTests : SceneToolFixture
         Frames(() =>
         {
             FrameStep.Run(stream, views);
-            return State() == wanted || watch.Elapsed.TotalSeconds > 10;
+            return State() == wanted && also?.Invoke() != false || watch.Elapsed.TotalSeconds > 10;
         });
-        Assert.That(State(), Is.EqualTo(wanted));
+        Assert.That((State(), also?.Invoke() != false), Is.EqualTo((wanted, true)));
     }
 
     [Test]
@@ -66,6 +67,8 @@ public sealed class EditToolTests : SceneToolFixture
                 if (type != EventType.MouseUp)
                     Frames(() => tool.Session.Stroke.Count > 0);
                 Send(tool, view, new Event { type = EventType.Repaint });
+                if (type == EventType.MouseDrag)
+                    WaitForDraft(tool.Session, EditAction.Color);
             }
             WaitForEdits(1);
             Assert.That(tool.Session.Note, Is.Null);
@@ -89,6 +92,54 @@ public sealed class EditToolTests : SceneToolFixture
             tool.Deactivate();
             UnityEngine.Object.DestroyImmediate(view.camera.gameObject);
         }
+    }
+
+    /// <summary>Those that are to be deleted are marked, so that the next pick does not go through them.</summary>
+    void WaitForDraft(EditSession session, EditAction action)
+    {
+        WaitForEdits(0, () => Shown.Edits?.Last.Balls.Count == session.Stroke.Count);
+        Assert.That((Shown.Edits.Last.Action, Shown.Edits.Last == EditJournal.DraftOf(m_path)), Is.EqualTo((action, true)));
+    }
+
+    [TestCase(false)]
+    [TestCase(true)]
+    public void EditSession_Stroke_IsShownAsItGrowsAndGoesWithEscapeOrWhereItCannotBeWritten(bool isEnded)
+    {
+        using var session = new EditSession { Action = EditAction.Classify, Class = 17, Radius = 3 };
+        Drag(session, Down());
+        WaitForDraft(session, EditAction.Classify);
+        Drag(session, Down(east: 20));
+        WaitForDraft(session, EditAction.Classify);
+        Assert.That(session.Stroke.Count, Is.EqualTo(2));
+        var logged = new List<string>();
+        Debug.s_sink = (type, text) => logged.Add(text);
+        using (isEnded ? EditCloud.Lock(m_path) : null)
+            try
+            {
+                if (isEnded)
+                    session.EndStroke();
+                else
+                    session.ClearStroke();
+                session.Update(10);
+                WaitForEdits(0, () => Shown.Edits == null);
+            }
+            finally
+            {
+                Debug.s_sink = null;
+            }
+        Assert.That(EditJournal.DraftOf(m_path), Is.Null);
+        Assert.That(logged, isEnded ? Has.One.Contains("is being written by") : Is.Empty);
+    }
+
+    void Drag(EditSession session, PointQuery ray)
+    {
+        int before = session.Stroke.Count;
+        session.Drag(ray);
+        Frames(() =>
+        {
+            session.Update(10);
+            return session.Stroke.Count > before;
+        });
     }
 
     [Test]

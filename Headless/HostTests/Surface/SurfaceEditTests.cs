@@ -73,7 +73,7 @@ public sealed class SurfaceEditTests : ScratchTests
             updates.Error == null && watch.ElapsedMilliseconds < 10_000);
         Assert.That(updates.Error, Is.Null);
         Assert.That(updates.Surface.Cells.Next(double.MaxValue), Is.Null);
-        return updates.Surface.Cells.Made.ToDictionary(c => c.At, c => (int[])c.Shown);
+        return updates.Surface.Cells.Made.ToDictionary(c => c.At, c => (int[])c.Collider);
     }
 
     double3 CornerOf(int3 cell) => m_manifest.Grid.ToGeo(m_manifest.Root.Corner) - s_middle +
@@ -176,7 +176,7 @@ public sealed class SurfaceEditTests : ScratchTests
         {
             cells.Plan([here], unit, 1);
             var cell = cells.Next(0);
-            cell.Shown = triangles > 0 ? new object() : null;
+            cell.Collider = triangles > 0 ? new object() : null;
             cells.SetMade(cell, triangles, 1);
             return cell;
         }
@@ -224,7 +224,7 @@ public sealed class SurfaceEditTests : ScratchTests
             UnityEngine.Debug.s_sink = null;
             File.WriteAllBytes(journal, whole);
         }
-        Assert.That(updates.Surface.Cells.Made.ToDictionary(c => c.At, c => (int[])c.Shown), Is.EquivalentTo(before));
+        Assert.That(updates.Surface.Cells.Made.ToDictionary(c => c.At, c => (int[])c.Collider), Is.EquivalentTo(before));
         updates.Reopen();
     }
 

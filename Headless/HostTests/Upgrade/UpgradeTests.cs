@@ -66,7 +66,7 @@ public sealed class UpgradeTests : ScratchPerTest
         {
             PointsPerChunk = 120,
             CellsLog2 = 4,
-            MaxPointsPerLeaf = 40,
+            TargetPointsPerLeaf = 40,
             Sampler = Nodes.Sampler.Average,
         };
         using (var reader = PointReaders.Open(s_sources))

@@ -15,7 +15,7 @@ float4x4 _FastPointsAmbient;
 float3 _FastPointsLightDirection;
 float3 _FastPointsLightColor;
 
-// Rows: a light each, see AdditionalLight. Place, ConeOffset; Color, OneOverRangeSq; Axis, ConeScale.
+// Rows: a light each, see AdditionalLight. Place, ConeOffset; Color, OneOverRangeSq; AxisToLight, ConeScale.
 float4x4 _FastPointsAdditionalPlaces;
 float4x4 _FastPointsAdditionalColors;
 float4x4 _FastPointsAdditionalAxes;

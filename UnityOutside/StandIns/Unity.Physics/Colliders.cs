@@ -16,15 +16,19 @@ public unsafe struct MeshCollider
 {
     public static BlobAssetReference<Collider> Create(NativeArray<float3> vertices, NativeArray<int3> triangles)
     {
+        using var kept = new NativeList<int3>(triangles.Length, Allocator.Temp);
         foreach (int3 triangle in triangles)
             if (math.any(triangle < 0) || math.any(triangle >= vertices.Length))
                 throw new ArgumentException("Triangle indices out of range.", nameof(triangles));
-        var head = new Collider { Vertices = vertices.Length, Triangles = triangles.Length };
+            else if (math.lengthsq(math.cross(vertices[triangle.y] - vertices[triangle.x],
+                vertices[triangle.z] - vertices[triangle.x])) >= 1e-7f)
+                kept.Add(triangle);
+        var head = new Collider { Vertices = vertices.Length, Triangles = kept.Length };
         using var bytes = new NativeArray<byte>(sizeof(Collider) + 12 * (head.Vertices + head.Triangles), Allocator.Temp);
         byte* at = (byte*)bytes.GetUnsafePtr();
         *(Collider*)at = head;
         UnsafeUtility.MemCpy(at + sizeof(Collider), vertices.GetUnsafeReadOnlyPtr(), 12L * head.Vertices);
-        UnsafeUtility.MemCpy(at + sizeof(Collider) + 12 * head.Vertices, triangles.GetUnsafeReadOnlyPtr(), 12L * head.Triangles);
+        UnsafeUtility.MemCpy(at + sizeof(Collider) + 12 * head.Vertices, kept.GetUnsafePtr(), 12L * head.Triangles);
         return BlobAssetReference<Collider>.Create(at, bytes.Length);
     }
 }

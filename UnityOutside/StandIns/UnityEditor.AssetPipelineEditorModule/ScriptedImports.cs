@@ -9,8 +9,7 @@ static class ScriptedImports
     /// <summary>What somebody has set in an importer's inspector; null for nothing.</summary>
     public static Action<ScriptedImporter> Configure { get; set; }
 
-    /// <summary>What the last import said.</summary>
-    public static AssetImportContext Last { get; private set; }
+    public static AssetImportContext Last { get; private set; } // What the last import said.
 
     /// <summary>From now on they import.</summary>
     public static void Register(Assembly assembly)

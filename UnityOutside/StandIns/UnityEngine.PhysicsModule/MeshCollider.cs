@@ -9,8 +9,7 @@ public class MeshCollider : Collider
 {
     Mesh m_mesh;
 
-    /// <summary>A mesh that was not baked is baked where it is set, on the main thread.</summary>
-    internal static int BakedWhereSet { get; set; }
+    internal static int BakedWhereSet { get; set; } // A mesh that was not baked is baked where it is set, on the main thread.
 
     public Mesh sharedMesh
     {

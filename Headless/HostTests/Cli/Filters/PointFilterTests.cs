@@ -115,7 +115,7 @@ public class PointFilterTests
             outer += radius < 1005 ? 1 : 0;
         }
         var polygons = FilterPolygons.Of(new[] { new[] { ring } });
-        Assert.That(polygons.EdgesOfSlabs.Length, Is.LessThan(9 * vertices));
+        Assert.That(polygons.RelativeEdgesOfSlabs.Length, Is.LessThan(9 * vertices));
         var watch = Stopwatch.StartNew();
         Assert.That(Left(new PointFilter { Polygons = polygons }, batch).Count,
             Is.InRange(inner, outer));

@@ -18,7 +18,7 @@ public sealed class LegendTests
         var image = new RgbaImage(Width, Height);
         for (int i = 0; i < Width * Height; i++)
             image[i % Width, i / Width] = background;
-        return new Legend(ColorMode.Elevation, ranges, camera, options, crs ?? new CloudCrs()).DrawOn(image);
+        return new Legend(ColorMode.Elevation, ranges, camera, options, crs ?? new CloudCrs()).CopyWithLegend(image);
     }
 
     [TestCase(-0.05636, 0.05686), TestCase(0, 1), TestCase(-123456.789, 123456.789), TestCase(1e-7, 2e-7)]

@@ -7,8 +7,7 @@ namespace FastPoints.Benchmarks
     /// Unity's performance tests time the same ones.</summary>
     public interface IWorkload : IDisposable
     {
-        /// <summary>What is measured, for example <c>las columns</c>; unique over all workloads.</summary>
-        string Name { get; }
+        string Name { get; } // What is measured, for example las columns; unique over all workloads.
 
         /// <summary>Name of the workload that bounds this one (a plain read and copy, the same loop over raw pointers), whose
         /// time in the same run this one's is divided by; or null.</summary>

@@ -67,7 +67,7 @@ namespace FastPoints.Evaluation
                 yield return JobStep.Of(m_reader.IndexBlocks());
             }
             progress?.Begin("reference sample");
-            using (var sampler = new UniformSampler(m_reader, MaxQueries, QuerySeed))
+            using (var sampler = new FileOrderSampler(m_reader, MaxQueries, QuerySeed))
             {
                 yield return JobStep.Of(sampler.Run(0, progress));
                 using var sample = sampler.TakeSample();

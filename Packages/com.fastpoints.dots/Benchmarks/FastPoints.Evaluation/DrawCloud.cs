@@ -33,8 +33,7 @@ namespace FastPoints.Evaluation
         public DisplayRanges Ranges { get; private set; }
         public PicturePlan Plan { get; private set; }
 
-        /// <summary>Null until the work has ended.</summary>
-        public RgbaImage Image { get; private set; }
+        public RgbaImage Image { get; private set; } // Null until the work has ended.
 
         public IEnumerator<JobStep> Run(StageProgress progress)
         {

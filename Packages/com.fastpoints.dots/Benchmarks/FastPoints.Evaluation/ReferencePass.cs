@@ -35,8 +35,7 @@ namespace FastPoints.Evaluation
                     i < plans.Length ? 1 : PictureCanvas.MaxSamplesPerEdge);
         }
 
-        /// <summary>With a picture's one sample a pixel.</summary>
-        public RgbaImage[] Images { get; private set; }
+        public RgbaImage[] Images { get; private set; } // With a picture's one sample a pixel.
 
         public RgbaImage[] SmoothImages { get; private set; }
 

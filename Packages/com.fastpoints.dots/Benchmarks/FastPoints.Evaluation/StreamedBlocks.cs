@@ -79,7 +79,7 @@ namespace FastPoints.Evaluation
             var source = cloud.Source;
             var toWorld = DrawListCloud.NormalsToWorld(linear,
                 source.Crs.Units.MetresAt(source.Grid.ToGeo(source.Root.Corner), UpAxis.Z));
-            drawing.Normals.Light = m_plan.Light.From(camera.EyeGeo);
+            drawing.Normals.Light = m_plan.Light.RelativeTo(camera.EyeGeo);
             drawing.Normals.ToLight = toWorld;
             drawing.Normals.ViewToLight = new double3x3(camera.Right, camera.Up, camera.Forward);
             drawing.Normals.ToView = new double3x3(Turned(camera, toWorld.c0), Turned(camera, toWorld.c1),

@@ -176,8 +176,7 @@ namespace FastPoints.Evaluation
         public long NonFiniteCount { get; internal set; }
         public ColumnSummary[] Columns { get; internal set; }
 
-        /// <summary>Points by class and by return number; null if there are none.</summary>
-        public long[] ClassCounts { get; internal set; }
+        public long[] ClassCounts { get; internal set; } // Points by class and by return number; null if there are none.
         public long[] ReturnCounts { get; internal set; }
     }
 

@@ -13,15 +13,12 @@ namespace FastPoints.Editor
         {
             public string DiskPath;
 
-            /// <summary>Path below the player's streaming assets.</summary>
-            public string PlayerPath;
+            public string PlayerPath; // Path below the player's streaming assets.
 
-            /// <summary>-1 if unknown.</summary>
-            public long Points;
+            public long Points; // -1 if unknown.
             public long Bytes;
 
-            /// <summary>Whether it is not converted: FastPoints.Import, which reads it, must be in the player.</summary>
-            public bool IsSource;
+            public bool IsSource; // Whether it is not converted: FastPoints.Import, which reads it, must be in the player.
         }
 
         readonly List<Entry> m_entries = new List<Entry>();

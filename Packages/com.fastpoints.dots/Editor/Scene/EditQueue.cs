@@ -54,6 +54,8 @@ namespace FastPoints.Editor
                 Debug.LogError("FastPoints: " + PointCloudException.Of(s_cloud, e).FullMessage);
             }
             s_running = null;
+            if (EditJournal.DraftOf(s_cloud) != null)
+                EditJournal.SetDraft(s_cloud, null); // It changed nothing, or failed.
             EditModeFrames.RequestFrame();
         }
 

@@ -10,11 +10,17 @@ using UnityEngine;
 namespace FastPoints.Editor
 {
     /// <summary>Makes operations of strokes over points and of boxes. A stroke picks point after point along the pointer's way,
-    /// all of the cloud that it began on, and becomes one operation when it ends.</summary>
+    /// all of the cloud that it began on, and becomes one operation when it ends. Until then its points are shown classified or
+    /// coloured; those to delete or hide marked, since the pointer would pick what lies behind them.</summary>
     internal sealed class EditSession : IDisposable
     {
+        static readonly byte[] s_mark = { 255, 128, 0 };
+
         readonly ScenePicker m_picker = new ScenePicker();
         readonly List<StreamPick> m_stroke = new List<StreamPick>();
+        Unity.Entities.Entity m_entity; // Of the stroke.
+        EditOperation m_draft; // What is shown of it; null if nothing can be.
+        int m_draftLength;
         PointQuery m_next;
         bool m_hasNext;
         bool m_isEnding;
@@ -23,16 +29,13 @@ namespace FastPoints.Editor
         public byte Class { get; set; }
         public Color Color { get; set; } = new Color(1, 0, 0, 1);
 
-        /// <summary>Of the brush, in world units.</summary>
-        public float Radius { get; set; } = 0.5f;
+        public float Radius { get; set; } = 0.5f; // Of the brush, in world units.
 
         public IReadOnlyList<StreamPick> Stroke => m_stroke;
 
-        /// <summary>The rays through its corners, all of one camera.</summary>
-        public List<PointQuery> Lasso { get; } = new List<PointQuery>();
+        public List<PointQuery> Lasso { get; } = new List<PointQuery>(); // The rays through its corners, all of one camera.
 
-        /// <summary>What is amiss; null if nothing is.</summary>
-        public string Note { get; private set; }
+        public string Note { get; private set; } // What is amiss; null if nothing is.
 
         public void Drag(PointQuery ray)
         {
@@ -44,8 +47,10 @@ namespace FastPoints.Editor
 
         public void ClearStroke()
         {
+            if (m_draft != null)
+                EditJournal.SetDraft(m_stroke[0].Path, null);
             m_stroke.Clear();
-            m_hasNext = m_isEnding = false;
+            (m_hasNext, m_isEnding, m_draft, m_draftLength) = (false, false, null, 0);
         }
 
         /// <summary>Goes on with picking; called once an update of the editor.</summary>
@@ -54,10 +59,13 @@ namespace FastPoints.Editor
         {
             bool isNew = m_picker.IsSearching && m_picker.Update(budgetMs) && AddToStroke(m_picker.Pick);
             BeginNext();
+            if (m_stroke.Count > 0)
+                ShowStroke();
             if (!m_isEnding || m_hasNext || m_picker.IsSearching)
                 return isNew;
-            if (m_stroke.Count > 0)
-                Apply();
+            var shown = m_stroke.Count > 0 ? FindShown() : null;
+            if (m_stroke.Count > 0 && CanEdit(shown) && Begin(shown, AddStroke(shown, NewOperation())))
+                m_draft = null; // It is shown until it is written.
             ClearStroke();
             return true;
         }
@@ -100,7 +108,11 @@ namespace FastPoints.Editor
         static double3 GeoOf(StreamedCloud shown, double3 world) => shown.Source.Grid.ToGeo(shown.Source.Root.Corner) +
             math.mul(math.inverse(shown.Placement.Linear), world - shown.Placement.OriginWorld);
 
-        public void Dispose() => m_picker.Dispose();
+        public void Dispose()
+        {
+            ClearStroke();
+            m_picker.Dispose();
+        }
 
         void BeginNext()
         {
@@ -120,20 +132,40 @@ namespace FastPoints.Editor
             if (m_stroke.Count > 0 && math.distance(m_stroke[m_stroke.Count - 1].Point.PositionWorld, pick.Point.PositionWorld) <
                 Radius / 16)
                 return false;
+            if (m_stroke.Count == 0)
+                m_entity = m_picker.EntityOf(pick.Cloud);
             m_stroke.Add(pick);
             return true;
         }
 
-        void Apply()
+        StreamedCloud FindShown()
         {
-            var entity = m_picker.EntityOf(m_stroke[0].Cloud);
             var group = PointCloudSystemGroup.ObjectGroup;
-            int number = group?.Stream == null || group.Live.Find(entity)?.Versions == null ? CloudVersions.None
-                : group.Live.Find(entity).Versions.ShownNumber;
-            var shown = number < 0 ? null : group.Stream.Clouds[number];
+            int number = group?.Stream == null || group.Live.Find(m_entity)?.Versions == null ? CloudVersions.None
+                : group.Live.Find(m_entity).Versions.ShownNumber;
+            return number < 0 ? null : group.Stream.Clouds[number];
+        }
+
+        // One state after the other: each is shown before the next begins.
+        void ShowStroke()
+        {
+            var shown = FindShown();
             if (!CanEdit(shown))
                 return;
-            var operation = NewOperation();
+            var source = (FolderSource)shown.Source;
+            bool isThere = EditJournal.DraftOf(source.Folder.FolderPath) == m_draft;
+            if (isThere && (m_draftLength == m_stroke.Count || m_draft != null && source.Edits?.Last != m_draft))
+                return;
+            var draft = AddStroke(shown, NewOperation());
+            if (Action < EditAction.Classify)
+                (draft.Action, draft.Value) = (EditAction.Color, s_mark);
+            m_draftLength = m_stroke.Count;
+            if (EditPlan.FindProblem(draft, source.Folder.Manifest) == null)
+                EditJournal.SetDraft(source.Folder.FolderPath, m_draft = draft);
+        }
+
+        EditOperation AddStroke(StreamedCloud shown, EditOperation operation)
+        {
             var linear = shown.Placement.Linear;
             var radii = Radius / (new double3(math.length(linear.c0), math.length(linear.c1), math.length(linear.c2)) *
                 shown.Source.Grid.Step);
@@ -147,7 +179,7 @@ namespace FastPoints.Editor
                     B = EditShape.GridOf(math.max(1, math.floor(radii))),
                     IsBall = true,
                 });
-            Begin(shown, operation);
+            return operation;
         }
 
         bool CanEdit(StreamedCloud shown)
@@ -169,12 +201,13 @@ namespace FastPoints.Editor
 
         static byte ByteOf(float channel) => (byte)math.round(math.saturate(channel) * byte.MaxValue);
 
-        void Begin(StreamedCloud shown, EditOperation operation)
+        bool Begin(StreamedCloud shown, EditOperation operation)
         {
             var folder = ((FolderSource)shown.Source).Folder;
             Note = EditPlan.FindProblem(operation, folder.Manifest);
             if (Note == null)
                 EditQueue.Begin(folder.FolderPath, operation, "Edit points");
+            return Note == null;
         }
     }
 }

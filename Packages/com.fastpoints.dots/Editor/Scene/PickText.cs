@@ -31,7 +31,7 @@ namespace FastPoints.Editor
         public static List<string> Describe(Measurement measured, double3 step)
         {
             var lines = new List<string>();
-            if (!measured.IsGeo)
+            if (!measured.HasOneCrs)
             {
                 lines.Add("Distance  " + Rounded(measured.WorldLength) + " (scene; other coordinate systems)");
                 return lines;

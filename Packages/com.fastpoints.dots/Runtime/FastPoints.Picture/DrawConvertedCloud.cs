@@ -48,7 +48,7 @@ namespace FastPoints.Picture
         {
             progress?.Begin("select");
             var schema = LoadNodes.SchemaFor(m_folder, m_options.AttributesToMeasure());
-            var transform = m_folder.Manifest.Grid.FromCorner(m_folder.Manifest.Root.Corner);
+            var transform = m_folder.Manifest.Grid.TransformFromCorner(m_folder.Manifest.Root.Corner);
             var ranges = PlansByManifest ? DisplayRanges.Of(m_folder.Manifest)
                 : m_options.NewRanges(m_folder.Manifest.Crs.Units);
             using (var selection = new NodeSelection(m_folder))

@@ -19,8 +19,7 @@ namespace FastPoints.Picture
         Dictionary<int, List<int>> m_stored; // While it loads: the chosen nodes that edits do not reach, by page.
         bool m_hasView;
 
-        /// <summary>Points are read as these leave them; null as stored.</summary>
-        public EditPlan Edits { get; set; }
+        public EditPlan Edits { get; set; } // Points are read as these leave them; null as stored.
 
         public NodeSelection(CloudFolder folder) : base(folder)
         {

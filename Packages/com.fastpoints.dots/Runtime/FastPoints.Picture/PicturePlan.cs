@@ -35,8 +35,7 @@ namespace FastPoints.Picture
 
         public Camera Camera { get; }
 
-        // Never Auto.
-        public ColorMode Mode { get; }
+        public ColorMode Mode { get; } // Never Auto.
 
         public PictureOptions Options => m_options;
         public DisplayRanges Ranges => m_ranges;
@@ -47,8 +46,7 @@ namespace FastPoints.Picture
 
         public ClassMask HiddenClasses => m_options.HiddenClasses;
 
-        // With automatic sizes, the size of the median tile.
-        public float SizePx { get; set; }
+        public float SizePx { get; set; } // With automatic sizes, the size of the median tile.
 
         public bool UsesAutoSize => m_options.IsAutoSize; // SizePx is still to be found from a picture of the sample.
 
@@ -65,7 +63,7 @@ namespace FastPoints.Picture
             var lengths = m_ranges.LengthsPerUnit;
             // Shadows are of what a layer has: with them, light is by its depths.
             var axes = new double3x3(Camera.Right / lengths, Camera.Up / lengths, Camera.Forward / lengths);
-            var normals = new PointNormals(batch, m_options.Shadows ? 0 : LitLevel, Light.From(Camera.EyeGeo))
+            var normals = new PointNormals(batch, m_options.Shadows ? 0 : LitLevel, Light.RelativeTo(Camera.EyeGeo))
             {
                 ToLight = double3x3.identity,
                 ViewToLight = axes,
@@ -116,7 +114,7 @@ namespace FastPoints.Picture
             Projection = new PointProjection(camera, PositionTransform.Identity, canvas.WidthPx, canvas.HeightPx),
             Background = m_options.Background,
             EdlStrength = EdlStrength,
-            Light = Light.From(camera.EyeGeo),
+            Light = Light.RelativeTo(camera.EyeGeo),
             Shadows = canvas.ShadowMapFor(camera.EyeGeo),
             PixelPositions = PixelPositionsFor(camera, canvas.WidthPx, canvas.HeightPx),
             FillsHoles = m_options.FillsHoles,

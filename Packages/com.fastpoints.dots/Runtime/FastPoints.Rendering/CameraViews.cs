@@ -67,7 +67,7 @@ namespace FastPoints.Rendering
                 Depth = target.Depth,
                 IsSubViewport = target.IsSubViewport,
                 MayBeScreen = target.MayBeScreen,
-                Light = target.Light.From(eye.PositionWorld),
+                Light = target.Light.RelativeTo(eye.PositionWorld),
             };
         }
 

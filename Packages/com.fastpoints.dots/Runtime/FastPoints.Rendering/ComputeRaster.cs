@@ -37,8 +37,7 @@ namespace FastPoints.Rendering
         // Whether the device has what the kernels need. False for no shader.
         public static bool CanRun(ComputeShader shader) => VisiblePoints.CanRun(shader, s_kernels);
 
-        // Depth and colour of each pixel of the largest picture.
-        public GraphicsBuffer Pixels { get; private set; }
+        public GraphicsBuffer Pixels { get; private set; } // Depth and colour of each pixel of the largest picture.
 
         // The device counts rows from the top, has buffers as large as the picture needs, and depth follows from the distance
         // along the view alone, which only oblique projections violate.

@@ -16,8 +16,7 @@ namespace FastPoints.Rendering
         public GrowingBuffer(GraphicsBuffer.Target target, int strideBytes) =>
             (m_target, m_strideBytes) = (target, strideBytes);
 
-        // Null until the first reservation.
-        public GraphicsBuffer Buffer { get; private set; }
+        public GraphicsBuffer Buffer { get; private set; } // Null until the first reservation.
 
         // Whether the buffer is new, without its former content.
         public bool Reserve(long bytes)

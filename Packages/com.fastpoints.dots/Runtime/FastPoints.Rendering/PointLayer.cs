@@ -82,7 +82,7 @@ namespace FastPoints.Rendering
             commands.DrawProcedural(Matrix4x4.identity, compose, 0, MeshTopology.Triangles, 3, 1, m_properties);
         }
 
-        public static void SetTarget(CommandBuffer commands, in RenderView view)
+        public static void SetCameraTarget(CommandBuffer commands, in RenderView view)
         {
             // -1 stands for all slices.
             commands.SetRenderTarget(view.Color, view.Depth, 0, CubemapFace.Unknown, (int)view.Eye - 1);

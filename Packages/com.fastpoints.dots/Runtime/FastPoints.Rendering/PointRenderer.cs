@@ -80,7 +80,7 @@ namespace FastPoints.Rendering
             if (List.Draws.Length == 0)
                 return;
             RecordBefore(commands, view);
-            PointLayer.SetTarget(commands, view);
+            PointLayer.SetCameraTarget(commands, view);
             RecordInto(commands, view);
         }
 
@@ -133,7 +133,7 @@ namespace FastPoints.Rendering
             WriteBuffers(commands, both.Style, isSinglePass ? 2 : 1);
             if (isSinglePass)
             {
-                PointLayer.SetTarget(commands, left);
+                PointLayer.SetCameraTarget(commands, left);
                 Set(both);
                 m_properties.SetMatrix(ShaderNames.RightViewProjection, right.ViewProjection);
                 m_properties.SetVector(ShaderNames.RightForward, right.Forward);
@@ -154,7 +154,7 @@ namespace FastPoints.Rendering
             view.Eye = eye;
             Adapt(ref view);
             RecordLayer(commands, view);
-            PointLayer.SetTarget(commands, view);
+            PointLayer.SetCameraTarget(commands, view);
             RecordInto(commands, view);
         }
 

@@ -62,8 +62,7 @@ namespace FastPoints.Rendering
             m_nextViews = new NativeList<StreamView>(Allocator.Persistent);
         }
 
-        // The scene that passes draw; null for none.
-        public static PointScene Current { get; set; }
+        public static PointScene Current { get; set; } // The scene that passes draw; null for none.
 
         public StreamContext Stream { get; }
         public PointStyle Style { get; set; } = PointStyle.Default;

@@ -58,7 +58,7 @@ namespace FastPoints.Rendering
                 PositionOrDirection = VectorOf(place),
                 Color = ColorOf(color),
                 OneOverRangeSq = place.w > 0 ? attenuation.x : 0,
-                Axis = VectorOf(axis),
+                AxisToLight = VectorOf(axis),
                 ConeScale = attenuation.z,
                 ConeOffset = attenuation.w,
             }, VectorOf(eye));

@@ -144,9 +144,11 @@ namespace FastPoints.Rendering
             VectorOf(light.Light1.Color, light.Light1.OneOverRangeSq), VectorOf(light.Light2.Color, light.Light2.OneOverRangeSq),
             VectorOf(light.Light3.Color, light.Light3.OneOverRangeSq));
 
-        static Matrix4x4 AxesOf(in PointLighting light) => RowsOf(VectorOf(light.Light0.Axis, light.Light0.ConeScale),
-            VectorOf(light.Light1.Axis, light.Light1.ConeScale), VectorOf(light.Light2.Axis, light.Light2.ConeScale),
-            VectorOf(light.Light3.Axis, light.Light3.ConeScale));
+        static Matrix4x4 AxesOf(in PointLighting light) => RowsOf(
+            VectorOf(light.Light0.AxisToLight, light.Light0.ConeScale),
+            VectorOf(light.Light1.AxisToLight, light.Light1.ConeScale),
+            VectorOf(light.Light2.AxisToLight, light.Light2.ConeScale),
+            VectorOf(light.Light3.AxisToLight, light.Light3.ConeScale));
 
         public static Vector4 VectorOf(float3 value, float w = 0) => new Vector4(value.x, value.y, value.z, w);
 

@@ -26,12 +26,12 @@ namespace FastPoints.Surface
                     Object.Destroy(owned);
         }
 
-        protected override void Hide(SurfaceCell cell) => Return((MeshCollider)cell.Shown, null);
+        protected override void Hide(SurfaceCell cell) => Return((MeshCollider)cell.Collider, null);
 
         protected override void Move(SurfaceCell cell)
         {
-            if ((MeshCollider)cell.Shown != null)
-                ((MeshCollider)cell.Shown).transform.localPosition = PositionOf(cell);
+            if ((MeshCollider)cell.Collider != null)
+                ((MeshCollider)cell.Collider).transform.localPosition = PositionOf(cell);
         }
 
         protected override IEnumerator<JobStep> Show(SurfaceCell cell, PackedSurface surface)

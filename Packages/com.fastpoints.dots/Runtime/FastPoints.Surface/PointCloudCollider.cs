@@ -79,7 +79,7 @@ namespace FastPoints.Surface
         public void AddNavMeshSources(List<UnityEngine.AI.NavMeshBuildSource> sources)
         {
             for (int i = 0; i < CellCount; i++)
-                if (Surface.Cells.Made[i].Shown is MeshCollider collider && collider != null)
+                if (Surface.Cells.Made[i].Collider is MeshCollider collider && collider != null)
                     sources.Add(new UnityEngine.AI.NavMeshBuildSource
                     {
                         shape = UnityEngine.AI.NavMeshBuildSourceShape.Mesh,

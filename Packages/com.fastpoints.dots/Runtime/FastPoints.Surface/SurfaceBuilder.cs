@@ -29,8 +29,7 @@ namespace FastPoints.Surface
         public NativeArray<int3> Vertices => m_memory.Vertices.AsArray(); // Of the last cell: valid until the next one.
         public NativeArray<int3> Triangles => m_memory.Triangles.AsArray();
 
-        /// <summary>How many voxels of it and its margins have points.</summary>
-        public int VoxelCount { get; private set; }
+        public int VoxelCount { get; private set; } // How many voxels of it and its margins have points.
 
         public SliceTimes Times => m_times; // How long the slices of jobs took so far.
 

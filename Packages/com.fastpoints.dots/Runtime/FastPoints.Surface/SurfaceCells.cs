@@ -11,13 +11,13 @@ namespace FastPoints.Surface
         public double Distance; // From the nearest place, in world units.
         public long NearInPlan, WantedInPlan; // The last plan that had it within the radius, and that wanted it.
         public int Triangles = -1; // Known once it was made, even if there was no room for it.
-        public object Shown; // Its collider; null while it is not made, or if it is empty.
+        public object Collider; // Of its owner's kind; null while it is not made, or if it is empty.
         public double RetryAt; // It failed, and is not tried before.
         public ulong Edits; // Where its triangles are known: the hash of the edits that reached its points.
         public bool IsStale; // Other edits reach them now. What was made stands until it is made anew.
 
-        public bool IsMade => Triangles == 0 || Shown != null;
-        public bool IsReady => IsMade && !(IsStale && Shown == null);
+        public bool IsMade => Triangles == 0 || Collider != null;
+        public bool IsReady => IsMade && !(IsStale && Collider == null);
     }
 
     /// <summary>Which cells are wanted around places, the nearest first, within budgets. Those that were made stay until others
@@ -40,8 +40,7 @@ namespace FastPoints.Surface
 
         public SurfaceCells(in SurfaceGrid grid, Action<SurfaceCell> free) => (m_grid, m_free) = (grid, free);
 
-        /// <summary>Cells that were made, empty ones too.</summary>
-        public List<SurfaceCell> Made { get; } = new List<SurfaceCell>();
+        public List<SurfaceCell> Made { get; } = new List<SurfaceCell>(); // Cells that were made, empty ones too.
         public long Triangles { get; private set; }
 
         public int Version { get; private set; } // Another whenever a cell was made or given up.
@@ -168,11 +167,11 @@ namespace FastPoints.Surface
             Made.Remove(cell);
             Version++;
             Triangles -= cell.Triangles;
-            if (cell.Shown != null)
+            if (cell.Collider != null)
                 m_free(cell);
-            if (cell.Shown == null || cell.IsStale)
+            if (cell.Collider == null || cell.IsStale)
                 cell.Triangles = -1;
-            (cell.Shown, cell.IsStale) = (null, false);
+            (cell.Collider, cell.IsStale) = (null, false);
         }
     }
 }

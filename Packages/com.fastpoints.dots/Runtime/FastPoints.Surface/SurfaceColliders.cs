@@ -75,7 +75,7 @@ namespace FastPoints.Surface
             bool isElsewhere = !m_space.OriginGeo.Equals(space.OriginGeo) || !m_toWorld.Equals(toWorld);
             (m_space, m_toWorld) = (space, toWorld);
             foreach (var cell in Cells.Made)
-                if (isElsewhere && cell.Shown != null)
+                if (isElsewhere && cell.Collider != null)
                     Move(cell);
             var toAxes = math.mul(LinearOf(m_toWorld), m_fromCloud);
             var lengths = new double3(math.length(toAxes.c0), math.length(toAxes.c1), math.length(toAxes.c2));
@@ -142,11 +142,11 @@ namespace FastPoints.Surface
         protected abstract IEnumerator<JobStep> Show(SurfaceCell cell, PackedSurface surface);
 
         /// <summary>In one frame, so that nothing falls through meanwhile.</summary>
-        protected void Replace(SurfaceCell cell, object shown)
+        protected void Replace(SurfaceCell cell, object collider)
         {
-            if (cell.Shown != null)
+            if (cell.Collider != null)
                 Hide(cell);
-            cell.Shown = shown;
+            cell.Collider = collider;
         }
 
         protected abstract void Hide(SurfaceCell cell);

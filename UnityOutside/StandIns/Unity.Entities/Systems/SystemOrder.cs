@@ -5,8 +5,7 @@ namespace StandIns.Entities;
 /// chooses.</summary>
 static class SystemOrder
 {
-    /// <summary>Whether what no attribute orders runs from Z to A.</summary>
-    internal static bool IsBackwards { get; set; }
+    internal static bool IsBackwards { get; set; } // Whether what no attribute orders runs from Z to A.
 
     public static void Sort(List<ComponentSystemBase> systems, Type group)
     {

@@ -7,11 +7,9 @@ static class SceneLoop
     static readonly List<Behaviour> s_told = new List<Behaviour>();
     static readonly List<Object> s_leaving = new List<Object>();
 
-    /// <summary>All that are in scenes, active or not.</summary>
-    public static List<GameObject> Objects { get; } = new List<GameObject>();
+    public static List<GameObject> Objects { get; } = new List<GameObject>(); // All that are in scenes, active or not.
 
-    /// <summary>What was there before is not told anew.</summary>
-    public static bool IsPlaying { get; set; }
+    public static bool IsPlaying { get; set; } // What was there before is not told anew.
 
     /// <summary>One frame: an Update of all that are enabled, a LateUpdate, then what was destroyed in it goes.</summary>
     public static void Update()

@@ -14,20 +14,16 @@ namespace FastPoints.Editor
         /// <summary>A cloud of an asset, or of none.</summary>
         public struct Row
         {
-            /// <summary>The asset's path; null for a cloud that is not used.</summary>
-            public string Asset;
+            public string Asset; // The asset's path; null for a cloud that is not used.
 
-            /// <summary>The converted folder's absolute path; it may not exist.</summary>
-            public string Cloud;
+            public string Cloud; // The converted folder's absolute path; it may not exist.
             public string State;
 
-            /// <summary>-1 if unknown.</summary>
-            public long Points;
+            public long Points; // -1 if unknown.
 
             public long Bytes;
 
-            /// <summary>The first missing source; null if none is.</summary>
-            public string MissingSource;
+            public string MissingSource; // The first missing source; null if none is.
             public bool IsConverted;
 
             /// <summary>Whether it can be converted and is not, or an older one is, and does not wait for it; of several assets

@@ -35,7 +35,7 @@ namespace FastPoints.Editor
 
         /// <summary>Copies a finished cloud to the project's folder of clouds.</summary>
         /// <param name="done">Gets the copy's folder when it is complete.</param>
-        public void Import(string cloud, ProjectPaths paths, Action<string> done)
+        public void ImportCopy(string cloud, ProjectPaths paths, Action<string> done)
         {
             Directory.CreateDirectory(paths.Clouds);
             Begin("Import ", cloud, FreePath(cloud, paths.Clouds), done);
@@ -48,7 +48,7 @@ namespace FastPoints.Editor
                 var transfer = m_transfers[i];
                 if (!transfer.Copy.Work.IsCompleted)
                 {
-                    if (!transfer.Copy.IsCancelled)
+                    if (!transfer.Copy.IsCancelledByUser)
                         Progress.Report(transfer.Progress, (float)transfer.Copy.Fraction, transfer.Copy.To);
                     continue;
                 }
@@ -102,7 +102,7 @@ namespace FastPoints.Editor
         static void Finish(Transfer transfer, Progress.Status status)
         {
             // Unity itself ends what was cancelled in its window.
-            if (!transfer.Copy.IsCancelled)
+            if (!transfer.Copy.IsCancelledByUser)
                 Progress.Finish(transfer.Progress, status);
         }
 
@@ -136,20 +136,18 @@ namespace FastPoints.Editor
             Work = Task.Run(Run);
         }
 
-        /// <summary>Ends when the copy has its name; throws a <see cref="PointCloudException"/> or is cancelled.</summary>
-        public Task Work { get; }
+        public Task Work { get; } // Ends when the copy has its name; throws a PointCloudException or is cancelled.
 
-        /// <summary>A folder that does not exist until the copy is complete.</summary>
-        public string To { get; }
+        public string To { get; } // A folder that does not exist until the copy is complete.
 
         /// <summary>From 0 to 1; any thread may ask.</summary>
         public double Fraction => Interlocked.Read(ref m_bytesDone) / (double)Math.Max(1, Interlocked.Read(ref m_bytes));
 
-        public bool IsCancelled { get; private set; }
+        public bool IsCancelledByUser { get; private set; }
 
         public void Cancel()
         {
-            IsCancelled = true;
+            IsCancelledByUser = true;
             m_cancellation.Cancel();
         }
 

@@ -213,7 +213,7 @@ namespace FastPoints.Editor
         {
             TryCreateIgnoredFolder(Paths.Clouds);
             if (CloudSources.IsConverted(cloud))
-                Transfers.Import(cloud, Paths, copy => Selection.activeObject = CreateAsset(copy, folder));
+                Transfers.ImportCopy(cloud, Paths, copy => Selection.activeObject = CreateAsset(copy, folder));
             else
                 Debug.LogError("FastPoints: " + cloud + ": wanted a converted cloud, a folder with " + StoreFormat.ManifestName);
         }
@@ -350,7 +350,7 @@ namespace FastPoints.Editor
 
         CloudHandle OfPointFile(string asset)
         {
-            string folder = ProjectPaths.ConvertedFolderOf(AssetDatabase.AssetPathToGUID(asset));
+            string folder = ProjectPaths.StoredFolderOf(AssetDatabase.AssetPathToGUID(asset));
             var handle = new CloudHandle { CloudPath = Paths.Stored(folder) };
             handle.Sources.Add(asset);
             handle.IsSourceOctree = CloudSources.HasOctree(asset);

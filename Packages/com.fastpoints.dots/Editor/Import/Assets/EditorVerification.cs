@@ -72,8 +72,7 @@ namespace FastPoints.Editor
 
         public string Path { get; }
 
-        /// <summary>Complete when <see cref="Step"/> has returned true.</summary>
-        public VerifyResult Result { get; } = new VerifyResult();
+        public VerifyResult Result { get; } = new VerifyResult(); // Complete when Step has returned true.
 
         public double Fraction => m_progress.Fraction;
 

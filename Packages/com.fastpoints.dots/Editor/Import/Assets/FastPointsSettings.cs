@@ -38,8 +38,7 @@ namespace FastPoints.Editor
         public int GpuMiB = 512;
         public int MaxCopiedMiB = 64; // Larger files are not copied into the project when dropped: they get a handle.
 
-        /// <summary>How to handle point cloud files in <c>Assets</c> that no other package imports.</summary>
-        public PointFiles PointFiles;
+        public PointFiles PointFiles; // How to handle point cloud files in Assets that no other package imports.
 
         public SeveralFiles SeveralFiles;
 

@@ -19,8 +19,8 @@ namespace FastPoints.Editor
         static PointCloudImports()
         {
             // Import workers load scripts as well, but the only queue is the editor's.
-            OwnedEntity.IsInWorker = AssetDatabase.IsAssetImportWorkerProcess();
-            if (OwnedEntity.IsInWorker)
+            OwnedEntity.IsImportWorker = AssetDatabase.IsAssetImportWorkerProcess();
+            if (OwnedEntity.IsImportWorker)
                 return;
             PointCloudPaths.PathOfAsset = AssetDatabase.GUIDToAssetPath;
             FastPointsSettings.instance.Apply();

@@ -14,7 +14,7 @@ namespace FastPoints.Editor
         protected override CloudHandle Describe(AssetImportContext context, string guid)
         {
             using var reader = PointReaders.Open(context.assetPath);
-            var handle = new CloudHandle { CloudPath = ProjectPaths.ConvertedFolderOf(guid) };
+            var handle = new CloudHandle { CloudPath = ProjectPaths.StoredFolderOf(guid) };
             handle.Sources.Add(context.assetPath);
             handle.IsSourceOctree = reader.Tree != null;
             handle.SetFrom(reader.Info);

@@ -11,8 +11,7 @@ namespace FastPoints.Editor
 
         public QueueProgress(EditorImports imports) => m_imports = imports;
 
-        /// <summary>The conversion that has a line; null for none.</summary>
-        public ConversionSession Session { get; private set; }
+        public ConversionSession Session { get; private set; } // The conversion that has a line; null for none.
 
         public void Report()
         {

@@ -37,16 +37,16 @@ namespace FastPoints.Editor
             string full;
             try
             {
-                full = Inside(Path.Combine(project, folder));
+                full = WithSeparator(Path.Combine(project, folder));
             }
             catch (Exception e) when (e is ArgumentException || e is NotSupportedException || e is IOException)
             {
                 return "not a path: " + folder;
             }
-            if (Inside(project).StartsWith(full, StringComparison.OrdinalIgnoreCase))
+            if (WithSeparator(project).StartsWith(full, StringComparison.OrdinalIgnoreCase))
                 return "wanted a folder of its own, got one with the project in it: " + folder;
             foreach (string taken in s_ownedByUnity)
-                if (full.StartsWith(Inside(Path.Combine(project, taken)), StringComparison.OrdinalIgnoreCase))
+                if (full.StartsWith(WithSeparator(Path.Combine(project, taken)), StringComparison.OrdinalIgnoreCase))
                     return taken + " is Unity's own: " + folder;
             return null;
         }
@@ -73,14 +73,14 @@ namespace FastPoints.Editor
 
         /// <returns>Null for a path that is not below the folder. Windows ignores case.</returns>
         static string Below(string folder, string path) =>
-            path.StartsWith(Inside(folder), Path.DirectorySeparatorChar == '\\' ? StringComparison.OrdinalIgnoreCase
-                : StringComparison.Ordinal) ? path.Substring(Inside(folder).Length) : null;
+            path.StartsWith(WithSeparator(folder), Path.DirectorySeparatorChar == '\\' ? StringComparison.OrdinalIgnoreCase
+                : StringComparison.Ordinal) ? path.Substring(WithSeparator(folder).Length) : null;
 
         /// <summary>As the asset of a file in <c>Assets</c> refers to it: by its number, which outlives a new name.</summary>
-        public static string ConvertedFolderOf(string guid) =>
+        public static string StoredFolderOf(string guid) =>
             PointCloudPaths.ConvertedRootPrefix + guid + StoreFormat.FolderExtension;
 
-        static string Inside(string folder) => Path.GetFullPath(folder).TrimEnd(Path.DirectorySeparatorChar,
+        static string WithSeparator(string folder) => Path.GetFullPath(folder).TrimEnd(Path.DirectorySeparatorChar,
             Path.AltDirectorySeparatorChar) + Path.DirectorySeparatorChar;
 
         public string Absolute(string stored) =>

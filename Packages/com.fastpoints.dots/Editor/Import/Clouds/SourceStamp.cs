@@ -21,8 +21,7 @@ namespace FastPoints.Editor
 
         public long Bytes { get; private set; }
 
-        /// <summary>When the newest of them was written, in ticks of UTC; 0 if unknown.</summary>
-        public long WrittenTicks { get; private set; }
+        public long WrittenTicks { get; private set; } // When the newest of them was written, in ticks of UTC; 0 if unknown.
 
         public ulong NamesHash { get; private set; }
         public ulong HeadHash { get; private set; }

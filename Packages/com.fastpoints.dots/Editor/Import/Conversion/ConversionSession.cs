@@ -35,11 +35,9 @@ namespace FastPoints.Editor
 
         public StageProgress Progress { get; } = new StageProgress();
 
-        /// <summary>The source's header; null until it is open, or without one.</summary>
-        public SourceInfo Source { get; private set; }
+        public SourceInfo Source { get; private set; } // The source's header; null until it is open, or without one.
 
-        /// <summary>The source's stamp from before it was opened; null until it is open.</summary>
-        public SourceStamp Stamp { get; private set; }
+        public SourceStamp Stamp { get; private set; } // The source's stamp from before it was opened; null until it is open.
 
         public ConvertResult Result { get; private set; }
 

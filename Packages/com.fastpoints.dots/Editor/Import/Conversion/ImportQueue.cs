@@ -55,8 +55,7 @@ namespace FastPoints.Editor
 
         string FilePath => Path.Combine(m_paths.Clouds, FileName);
 
-        /// <summary>How often the file was written or deleted.</summary>
-        internal int SaveCount { get; private set; }
+        internal int SaveCount { get; private set; } // How often the file was written or deleted.
 
         /// <summary>Adds a request at the end and removes a waiting one of the same folder. A folder that is being made stays
         /// with its request.</summary>

@@ -23,8 +23,7 @@ namespace FastPoints.Editor
 
         public string Failure { get; internal set; }
 
-        /// <summary>How often it was begun without ending properly.</summary>
-        public int Attempts { get; internal set; }
+        public int Attempts { get; internal set; } // How often it was begun without ending properly.
 
         internal void Write(JsonWriter json)
         {

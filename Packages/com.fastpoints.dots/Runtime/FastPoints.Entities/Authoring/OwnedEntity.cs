@@ -9,19 +9,18 @@ namespace FastPoints.Entities
     {
         /// <summary>Whether this is an import worker process, set by the editor: it opens scenes as well, and needs no
         /// world.</summary>
-        internal static bool IsInWorker { get; set; }
+        internal static bool IsImportWorker { get; set; }
 
         World m_world;
 
-        /// <summary>Null if there is no entity.</summary>
-        public Entity Value { get; private set; }
+        public Entity Value { get; private set; } // Null if there is no entity.
 
         /// <summary>Makes the entity, without components.</summary>
         /// <returns>Whether there is a world, in which no system iterates.</returns>
         public bool TryCreate(out EntityManager entities)
         {
             // In edit mode, the world may not have been made yet.
-            if (!IsInWorker)
+            if (!IsImportWorker)
                 DefaultWorldInitialization.DefaultLazyEditModeInitialize();
             m_world = PointCloudSystemGroup.ObjectGroup?.World ?? World.DefaultGameObjectInjectionWorld;
             Value = Entity.Null;

@@ -54,14 +54,14 @@ namespace FastPoints.Entities
                 return;
             live.Versions = versions;
             EntityManager.AddComponentData(entity, StreamedOf(live.Versions));
-            SetLook(entity, live.Look);
+            SetLook(entity, live.NextLook);
         }
 
         bool TryAdd(EntityCloud live, CloudVersions versions, CloudPlacement? placement)
         {
             try
             {
-                versions.Add(live.NextSource, placement, live.Stage);
+                versions.Add(live.NextSource, placement, live.NextStage);
                 live.NextSource = null;
                 return true;
             }
@@ -111,8 +111,8 @@ namespace FastPoints.Entities
         {
             if (!TryAdd(live, live.Versions, null))
                 return;
-            if (live.Look.HasValue)
-                live.Looks[live.Versions.Next] = live.Look.Value;
+            if (live.NextLook.HasValue)
+                live.Looks[live.Versions.Next] = live.NextLook.Value;
             else if (EntityManager.HasComponent<PointCloudLook>(entity))
                 live.Looks[live.Versions.Next] = EntityManager.GetComponentData<PointCloudLook>(entity);
         }

@@ -22,9 +22,8 @@ namespace FastPoints.Entities
 
         /// <summary>How <see cref="NextSource"/> is coloured, which becomes the entity's look when it is shown. Null keeps the
         /// current look.</summary>
-        public PointCloudLook? Look;
-
-        public CloudStage Stage;
+        public PointCloudLook? NextLook;
+        public CloudStage NextStage; // Of that source too.
 
         public CloudVersions Versions;
 
@@ -36,7 +35,7 @@ namespace FastPoints.Entities
         public void SetSource(NodeSource source, PointCloudLook? look, CloudStage stage)
         {
             DropSource();
-            (NextSource, Look, Stage) = (source, look, stage);
+            (NextSource, NextLook, NextStage) = (source, look, stage);
         }
 
         public void DropSource()

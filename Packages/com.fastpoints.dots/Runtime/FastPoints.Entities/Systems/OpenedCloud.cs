@@ -71,7 +71,7 @@ namespace FastPoints.Entities
             var mode = facts.Ranges.Resolve(file.Color);
             var taken = m_feed.Take(CloudLooks.PlanesFor(mode, !file.HiddenClasses.IsEmpty, file.Light > 0));
             var colors = ColorMapping.Of(mode, RangesFor(facts, file.Color, mode).WithUp(file.Up),
-                taken.Grid.FromCorner(taken.Root.Corner), file.ColorRamp);
+                taken.Grid.TransformFromCorner(taken.Root.Corner), file.ColorRamp);
             var look = new PointCloudLook { Value = CloudLooks.Of(colors, taken, file.HiddenClasses) };
             return (taken, look, facts.Stage);
         }

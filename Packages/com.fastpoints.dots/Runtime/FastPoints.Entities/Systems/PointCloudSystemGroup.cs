@@ -94,8 +94,7 @@ namespace FastPoints.Entities
 
         internal double3 Shift; // By how much the world was moved (PointCloudOrigin.ShiftEntities).
 
-        /// <summary>What passes draw; null if <see cref="Begin"/> was called by hand.</summary>
-        internal PointScene Scene { get; private set; }
+        internal PointScene Scene { get; private set; } // What passes draw; null if Begin was called by hand.
 
         internal readonly EntityClouds Live = new EntityClouds();
 

@@ -201,7 +201,7 @@ namespace FastPoints.Build
                 writer.Write(value);
             var sizes = build.Sizes;
             foreach (long value in new[] { build.Plan.PointsPerChunk, (long)build.Settings.Sampler, sizes.CellsLog2,
-                sizes.MaxPointsPerLeaf, NodeSizes.SamplingVersion, StoreFormat.Version })
+                sizes.TargetPointsPerLeaf, NodeSizes.SamplingVersion, StoreFormat.Version })
                 writer.Write(value);
             return ContentHash.Of(new ReadOnlySpan<byte>(bytes.GetBuffer(), 0, (int)bytes.Length));
         }

@@ -63,8 +63,7 @@ namespace FastPoints.Build
             Allot(MemoryPlan.For(Points, RecordLayout.StrideBytes, settings, part.PointsPerChunk));
         }
 
-        /// <summary>Null for a whole cloud.</summary>
-        public BuildPart Part { get; }
+        public BuildPart Part { get; } // Null for a whole cloud.
 
         /// <summary>Takes the points of the part's own blocks since the last call; null unless it is read from sources.</summary>
         public Func<long> TakeOwnBlockPoints { get; set; }
@@ -80,11 +79,9 @@ namespace FastPoints.Build
         /// memory.</summary>
         public RecordFiles Files { get; private set; }
 
-        /// <summary>The first partition. Setting it hands it over.</summary>
-        public PartitionMap Map { get; set; }
+        public PartitionMap Map { get; set; } // The first partition. Setting it hands it over.
 
-        /// <summary>See <see cref="CloudIdentity"/>; known once there is a partition.</summary>
-        public ulong CloudId { get; set; }
+        public ulong CloudId { get; set; } // See CloudIdentity; known once there is a partition.
 
         public NodeSizes Sizes
         {
@@ -93,8 +90,8 @@ namespace FastPoints.Build
                 var sizes = NodeSizes.Default;
                 if (Settings.CellsLog2 > 0)
                     sizes.CellsLog2 = Settings.CellsLog2;
-                if (Settings.MaxPointsPerLeaf > 0)
-                    sizes.MaxPointsPerLeaf = Settings.MaxPointsPerLeaf;
+                if (Settings.TargetPointsPerLeaf > 0)
+                    sizes.TargetPointsPerLeaf = Settings.TargetPointsPerLeaf;
                 return sizes;
             }
         }
@@ -207,7 +204,7 @@ namespace FastPoints.Build
         public GridCube RootOf(in PointStatistics found)
         {
             if (!IsWhole)
-                return Cube.Contains(CloudCube) ? Cube : CloudCube;
+                return Cube.ContainsAligned(CloudCube) ? Cube : CloudCube;
             var grown = RootCube.Grow(CloudCube, found.Min, found.Max);
             return grown.Length > 0 ? grown[grown.Length - 1] : CloudCube;
         }

@@ -70,7 +70,7 @@ namespace FastPoints.Build
                     if (result == null)
                         continue;
                     chunks.Add(result);
-                    manifest.Points += result.TopPoints + result.PointCount;
+                    manifest.Points += result.TopPoints + result.FilePointCount;
                     manifest.Checksum += result.Checksum;
                 }
                 using var merge = new UpperMerge(m_build, store, manifest);

@@ -63,7 +63,7 @@ namespace FastPoints.Build
             foreach (var found in Attributes)
             {
                 json.BeginObject().AddHex("min", found.OrderedMin).AddHex("max", found.OrderedMax).AddHex("or", found.Or)
-                    .Add("notDoubled", found.Modulo257Or).EndObject();
+                    .Add("notDoubled", found.Modulo257OrOfUInt16).EndObject();
             }
             json.EndArray().BeginArray("records");
             foreach (long count in RecordCountOfFile)
@@ -120,7 +120,7 @@ namespace FastPoints.Build
                     OrderedMin = item.Hex("min"),
                     OrderedMax = item.Hex("max"),
                     Or = item.Hex("or"),
-                    Modulo257Or = (uint)item.NonNegative("notDoubled", uint.MaxValue),
+                    Modulo257OrOfUInt16 = (uint)item.NonNegative("notDoubled", uint.MaxValue),
                 }).ToArray(),
                 BytesOfPlane = json.Longs("bytesOfPlane"),
             };

@@ -17,8 +17,8 @@ namespace FastPoints.Build
             public ulong CloudId;
             public ulong Checksum;
             public ContainerRecord Container;
-            public long PointCount;
-            public int NodeCount;
+            public long FilePointCount;
+            public int FileNodeCount;
             public int MinSideLog2;
             public TopNode Top;
             public int TopPoints;
@@ -28,12 +28,11 @@ namespace FastPoints.Build
         public int Number;
         public ContainerRecord Container; // The chunk's file; of 0 bytes if all points are in its top.
 
-        public int NodeCount;
-        public long PointCount;
+        public int FileNodeCount;
+        public long FilePointCount;
         public NativeArray<byte> Table; // The file's nodes, as the indexer left them; not created where they are in a file.
         public TopNode Top;
-
-        public int TopPoints;
+        public int TopPoints; // These are not in the file.
 
         public ulong Checksum;
 
@@ -52,8 +51,8 @@ namespace FastPoints.Build
                 return result;
             var header = *(FileHeader*)indexer.File.GetUnsafeReadOnlyPtr();
             result.Container = header.Container;
-            result.PointCount = header.PointCount;
-            result.NodeCount = indexer.Table.Length / BytesPerNode(result.BytesOfPlane.Length);
+            result.FilePointCount = header.PointCount;
+            result.FileNodeCount = indexer.Table.Length / BytesPerNode(result.BytesOfPlane.Length);
             return result;
         }
 
@@ -63,7 +62,7 @@ namespace FastPoints.Build
             var top = indexer.Drafts[0];
             return new ChunkResult
             {
-                TopPoints = top.Count,
+                TopPoints = top.OwnCount,
                 MinSideLog2 = top.SideLog2,
                 BytesOfPlane = new long[indexer.BytesOfPlane.Length],
                 Top = new TopNode
@@ -92,8 +91,8 @@ namespace FastPoints.Build
                 CloudId = cloudId,
                 Checksum = Checksum,
                 Container = Container,
-                PointCount = PointCount,
-                NodeCount = NodeCount,
+                FilePointCount = FilePointCount,
+                FileNodeCount = FileNodeCount,
                 Top = Top,
                 MinSideLog2 = MinSideLog2,
                 TopPoints = TopPoints,
@@ -122,8 +121,8 @@ namespace FastPoints.Build
             {
                 Number = number,
                 Container = header->Container,
-                NodeCount = header->NodeCount,
-                PointCount = header->PointCount,
+                FileNodeCount = header->FileNodeCount,
+                FilePointCount = header->FilePointCount,
                 Top = header->Top,
                 TopPoints = header->TopPoints,
                 Checksum = header->Checksum,
@@ -138,7 +137,7 @@ namespace FastPoints.Build
         }
 
         public int TableOffset => sizeof(Header) + BytesOfPlane.Length * sizeof(long);
-        public int TableBytes => NodeCount * BytesPerNode(BytesOfPlane.Length);
+        public int TableBytes => FileNodeCount * BytesPerNode(BytesOfPlane.Length);
 
         public int RecordsOffset => TableOffset + TableBytes;
 

@@ -47,7 +47,7 @@ namespace FastPoints.Build
         public ChunkSet(BuildContext build)
         {
             m_build = build;
-            // The pages that parts of chunks may take until they go to files.
+            // The pages that pieces of chunks may take until they go to files.
             m_maxPages = build.Plan.MaxPages / 2;
             m_load = new RecordLoad(build, build.SliceTimes);
         }
@@ -140,13 +140,13 @@ namespace FastPoints.Build
         /// points, until none is left. Points at one position are split by count, in their order.</summary>
         public IEnumerator<JobStep> SplitLarge(BaseCells cells, long target)
         {
-            // Parts are added at the end and examined in turn.
+            // Pieces are added at the end and examined in turn.
             for (int i = 0; i < m_chunks.Count;)
             {
                 var chunk = m_chunks[i];
-                if (!cells.At(chunk.Cube.Corner).Contains(chunk.Cube))
+                if (!cells.At(chunk.Cube.Corner).ContainsAligned(chunk.Cube))
                     yield return JobStep.Of(Distribute(chunk, cells.In(chunk.Cube), chunk.Cube.Corner));
-                else if (chunk.Count > (chunk.Cube.SideLog2 == 0 ? RecordsPerPart(target) : target))
+                else if (chunk.Count > (chunk.Cube.SideLog2 == 0 ? RecordsPerPiece(target) : target))
                     yield return JobStep.Of(Split(chunk, target));
                 else
                     i++;
@@ -175,22 +175,22 @@ namespace FastPoints.Build
                 var cell = cells.At(sorted[first].Cube.Corner);
                 while (end < sorted.Length && cell.Contains(sorted[end].Cube.Corner))
                     end++;
-                Merge(cell.Contains(root) ? root : cell, new ArraySegment<Chunk>(sorted, first, end - first), target);
+                Merge(cell.ContainsAligned(root) ? root : cell, new ArraySegment<Chunk>(sorted, first, end - first), target);
             }
         }
 
-        void Merge(GridCube cube, IReadOnlyList<Chunk> parts, long target)
+        void Merge(GridCube cube, IReadOnlyList<Chunk> chunks, long target)
         {
-            foreach (var group in CubeGroups.Of(cube, parts, c => c.Cube, c => c.Count, target))
+            foreach (var group in CubeGroups.Of(cube, chunks, c => c.Cube, c => c.Count, target))
             {
-                var first = parts[group.First];
+                var first = chunks[group.First];
                 // Those that are split by count keep the cube of one position.
                 if (first.Count <= target && first.Cube.SideLog2 > 0)
                     first.Cube = group.Cube;
                 for (int i = group.First + 1; i < group.First + group.Count; i++)
                 {
-                    first.Add(ref parts[i].Pages);
-                    foreach (var range in parts[i].Ranges)
+                    first.Add(ref chunks[i].Pages);
+                    foreach (var range in chunks[i].Ranges)
                         first.Add(range);
                 }
                 m_chunks.Add(first);
@@ -217,7 +217,7 @@ namespace FastPoints.Build
                     if (counts.IsCreated)
                         counts.Dispose();
                     counts = new NativeArray<long>(1 << 3 * levels, Allocator.Persistent);
-                    var job = new CountCellsJob
+                    var job = new CountCellPointsJob
                     {
                         SliceTimes = m_build.SliceTimes,
                         Layout = m_build.RecordLayout,
@@ -253,17 +253,17 @@ namespace FastPoints.Build
             }
         }
 
-        /// <summary>Splits into parts of whole pages, so that they are the same in memory and in files.</summary>
+        /// <summary>Splits into pieces of whole pages, so that they are the same in memory and in files.</summary>
         void SplitByCount(Chunk chunk, long target)
         {
-            int partPages = (int)(RecordsPerPart(target) / RecordPages.RecordsPerPage);
+            int pagesPerPiece = (int)(RecordsPerPiece(target) / RecordPages.RecordsPerPage);
             m_chunks.Remove(chunk);
             while (chunk.Pages.RecordCount > 0)
             {
-                var part = chunk.Pages.DetachFirst(partPages);
-                Add(chunk.Cube, ref part);
+                var piece = chunk.Pages.DetachFirst(pagesPerPiece);
+                Add(chunk.Cube, ref piece);
             }
-            long partRecords = RecordsPerPart(target), room = 0;
+            long recordsPerPiece = RecordsPerPiece(target), room = 0;
             foreach (var range in chunk.Ranges)
             {
                 for (long done = 0; done < range.Count;)
@@ -271,11 +271,11 @@ namespace FastPoints.Build
                     if (room == 0)
                     {
                         m_chunks.Add(new Chunk { Cube = chunk.Cube });
-                        room = partRecords;
+                        room = recordsPerPiece;
                     }
                     long count = Math.Min(room, range.Count - done);
-                    var part = new RecordRange { File = range.File, First = range.First + done, Count = count };
-                    m_chunks[m_chunks.Count - 1].Add(part);
+                    var piece = new RecordRange { File = range.File, First = range.First + done, Count = count };
+                    m_chunks[m_chunks.Count - 1].Add(piece);
                     Files.AddUser(range.File);
                     done += count;
                     room -= count;
@@ -284,7 +284,7 @@ namespace FastPoints.Build
             }
         }
 
-        static long RecordsPerPart(long target) =>
+        static long RecordsPerPiece(long target) =>
             Math.Max(1, target / RecordPages.RecordsPerPage) * RecordPages.RecordsPerPage;
 
         IEnumerator<JobStep> RunOnRebalanced()
@@ -307,7 +307,7 @@ namespace FastPoints.Build
         {
             var cubesOfLists = new NativeArray<GridCube>(cubes, Allocator.Persistent);
             var lists = new NativeArray<RecordPages>(cubes.Length, Allocator.Persistent);
-            var fileOfPart = new int[cubes.Length];
+            var fileOfList = new int[cubes.Length];
             bool isStored = chunk.Ranges.Count > 0;
             var job = default(JobHandle);
             JobHandle Schedule(RecordPages pages, JobHandle before) => new DistributeRecordsJob
@@ -323,8 +323,8 @@ namespace FastPoints.Build
             }.Schedule(before);
             try
             {
-                for (int i = 0; i < fileOfPart.Length && isStored; i++)
-                    fileOfPart[i] = Files.Add();
+                for (int i = 0; i < fileOfList.Length && isStored; i++)
+                    fileOfList[i] = Files.Add();
                 if (!isStored)
                 {
                     while (chunk.Pages.PageCount > 0)
@@ -346,14 +346,14 @@ namespace FastPoints.Build
                     yield return job;
                     job.Complete();
                     if (m_build.Pool.Value.PagesInUse > m_maxPages)
-                        AppendParts(lists, fileOfPart, false);
+                        AppendLists(lists, fileOfList, false);
                     if (Files.PagesWaiting > m_maxPages)
                         yield return JobStep.Of(AwaitWrites(m_maxPages));
                     ReturnWritten();
                 }
                 if (isStored)
                 {
-                    AppendParts(lists, fileOfPart, true);
+                    AppendLists(lists, fileOfList, true);
                     yield return JobStep.Of(AwaitWrites(0));
                     Files.AddSliceTimesTo(m_build.SliceTimes);
                 }
@@ -363,7 +363,7 @@ namespace FastPoints.Build
                     var pages = lists[i];
                     lists[i] = default;
                     if (isStored)
-                        Add(cubes[i], fileOfPart[i]);
+                        Add(cubes[i], fileOfList[i]);
                     else
                         Add(cubes[i], ref pages);
                 }
@@ -437,12 +437,12 @@ namespace FastPoints.Build
         void BeginBatch(Chunk chunk, long first) =>
             m_load.Begin(chunk.Ranges, first, Math.Min(PagesPerBatch * RecordPages.RecordsPerPage, chunk.Count - first));
 
-        void AppendParts(NativeArray<RecordPages> lists, int[] fileOfPart, bool all)
+        void AppendLists(NativeArray<RecordPages> lists, int[] fileOfList, bool all)
         {
             for (int i = 0; i < lists.Length; i++)
             {
                 var list = lists[i];
-                Files.Append(fileOfPart[i], all ? list.DetachFirst(list.PageCount) : list.DetachFull());
+                Files.Append(fileOfList[i], all ? list.DetachFirst(list.PageCount) : list.DetachFull());
                 lists[i] = list;
             }
         }

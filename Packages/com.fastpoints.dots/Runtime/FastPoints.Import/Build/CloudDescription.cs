@@ -170,7 +170,7 @@ namespace FastPoints.Build
         {
             if (attribute.Type != AttributeType.UInt16 || found.IsEmpty || found.Or == 0)
                 return 1;
-            if (found.Modulo257Or == 0)
+            if (found.Modulo257OrOfUInt16 == 0)
                 return 257;
             int shift = math.tzcnt((uint)found.Or);
             bool isAmount = attribute.Name == AttributeNames.Intensity || AttributeNames.IsColor(attribute.Name);

@@ -191,7 +191,7 @@ namespace FastPoints.Build
             UpAxis upAxis, DisplayRanges ranges, Func<PointBatch, IEnumerator<JobStep>> load = null)
         {
             nodes.ChooseEvenly(PointsToMeasure);
-            var transform = folder.Manifest.Grid.FromCorner(folder.Manifest.Root.Corner);
+            var transform = folder.Manifest.Grid.TransformFromCorner(folder.Manifest.Root.Corner);
             using var batch = new PointBatch(schema, nodes.PointCountOrThrow, Allocator.Persistent);
             yield return JobStep.Of(load != null ? load(batch) : LoadNodes.Run(folder, nodes, batch, null));
             yield return JobStep.Of(ranges.Measure(batch, transform, upAxis));

@@ -16,9 +16,9 @@ namespace FastPoints.Build
         /// it; 0 for the default of <see cref="NodeSizes"/>.</summary>
         public int CellsLog2;
 
-        /// <summary>A cube with at most this many remaining points is a leaf; 0 for the default of
+        /// <summary>A leaf has about this many points that no node above has taken; 0 for the default of
         /// <see cref="NodeSizes"/>.</summary>
-        public int MaxPointsPerLeaf;
+        public int TargetPointsPerLeaf;
 
         /// <summary>Chunks have this many points at most, and are no smaller than needed; 0 for a number that suits the
         /// cloud. The stored bytes depend on it, but not on anything about the machine.</summary>

@@ -37,8 +37,7 @@ namespace FastPoints.Build
 
         public long PointsPerChunk { get; private set; }
 
-        /// <summary>The most points of a base cell, by the estimate: see <see cref="BaseCells"/>.</summary>
-        public long PointsPerBaseCell { get; private set; }
+        public long PointsPerBaseCell { get; private set; } // The most points of a base cell, by the estimate: see BaseCells.
 
         /// <summary>Points that the first partition plans cubes for: half of a chunk's, since cubes with more than a chunk's must
         /// be split, while joining costs nothing.</summary>
@@ -75,8 +74,7 @@ namespace FastPoints.Build
 
         long ChunkBytes => Math.Min(Points, PointsPerChunk) * IndexBytesPerPoint;
 
-        /// <summary>Points of the sample that represents what is not built yet.</summary>
-        public long PlaceholderPoints { get; private set; }
+        public long PlaceholderPoints { get; private set; } // Points of the sample that represents what is not built yet.
 
         /// <summary>See <see cref="ReadBytes"/>, which the sample before the plan keeps to as well.</summary>
         public static long ReadBytesOf(ConvertSettings settings) =>

@@ -62,8 +62,7 @@ namespace FastPoints.Build
             BytesOfPlane = new long[m_store.Layout.Planes.Count];
         }
 
-        /// <summary>Complete when all work is done, except the display ranges.</summary>
-        public CloudManifest Manifest { get; }
+        public CloudManifest Manifest { get; } // Complete when all work is done, except the display ranges.
 
         public ulong Checksum { get; private set; }
         public int LevelCount { get; private set; }

@@ -136,7 +136,7 @@ namespace FastPoints.Build
                 (byte*)Unity.Collections.LowLevel.Unsafe.NativeArrayUnsafeUtility.GetUnsafeReadOnlyPtr(slot.Records),
                 slot.FirstOfChunk[m_build.Map.OutsideChunk]);
             var statistics = Statistics;
-            statistics.Include(slot.CollectStatistics(StatisticsOfAttributes));
+            statistics.Include(slot.TakeStatistics(StatisticsOfAttributes));
             Statistics = statistics;
         }
 

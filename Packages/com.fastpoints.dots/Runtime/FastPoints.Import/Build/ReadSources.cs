@@ -90,7 +90,7 @@ namespace FastPoints.Build
                     }
                 }
                 var found = journal.Statistics[source];
-                found.Include(m_scatter.CollectStatistics());
+                found.Include(m_scatter.TakeStatistics());
                 journal.Statistics[source] = found;
                 journal.Block = end;
                 journal.OwnBlockPoints += m_build.TakeOwnBlockPoints?.Invoke() ?? 0;

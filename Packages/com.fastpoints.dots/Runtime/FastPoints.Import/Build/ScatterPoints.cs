@@ -34,7 +34,7 @@ namespace FastPoints.Build
 
         public long PointsDone { get; private set; }
 
-        /// <summary>Sum of all that <see cref="CollectStatistics"/> added.</summary>
+        /// <summary>Sum of all that <see cref="TakeStatistics"/> added.</summary>
         public PointStatistics Statistics { get; private set; } = PointStatistics.None;
 
         public AttributeStatistics[] Attributes { get; }
@@ -109,13 +109,13 @@ namespace FastPoints.Build
 
         /// <summary>When a scan has ended: takes in what it showed.</summary>
         /// <returns>What is new.</returns>
-        public PointStatistics CollectStatistics()
+        public PointStatistics TakeStatistics()
         {
             m_lastAppend.Complete();
             m_lastAppend = default;
             var found = PointStatistics.None;
             foreach (var slot in m_slots)
-                found.Include(slot.CollectStatistics(Attributes));
+                found.Include(slot.TakeStatistics(Attributes));
             var all = Statistics;
             all.Include(found);
             Statistics = all;

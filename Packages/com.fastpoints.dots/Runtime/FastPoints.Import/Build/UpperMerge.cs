@@ -305,7 +305,7 @@ namespace FastPoints.Build
             return new MergeInput(region)
             {
                 Cube = cube,
-                TopPoints = top.Count,
+                TopPoints = top.OwnCount,
                 Records = new NativeArray<byte>(m_indexer.Top.AsArray(), Allocator.Persistent),
                 Top = new TopNode
                 {
@@ -408,7 +408,7 @@ namespace FastPoints.Build
         {
             Cube = Cube,
             Container = Chunk.Container,
-            NodeCount = Chunk.NodeCount,
+            NodeCount = Chunk.FileNodeCount,
             Table = Chunk.Table,
             Path = Path,
             TableOffset = Chunk.TableOffset,

@@ -171,7 +171,7 @@ namespace FastPoints.E57
                                 rejections[first + i] = E57Rejection.Invalid;
                         break;
                     case E57Target.To16Bits:
-                        StoreNormalized(reals, tile, (ushort*)(columns + read.ColumnOffsetBytes) + first);
+                        StoreRounded16(reals, tile, (ushort*)(columns + read.ColumnOffsetBytes) + first);
                         break;
                     default:
                         StoreReals(reals, tile, columns + read.ColumnOffsetBytes, read.ColumnType, first);
@@ -266,7 +266,7 @@ namespace FastPoints.E57
         }
 
         // NaN becomes 0.
-        static void StoreNormalized(double* values, int count, ushort* column)
+        static void StoreRounded16(double* values, int count, ushort* column)
         {
             for (int i = 0; i < count; i++)
                 column[i] = (ushort)(values[i] > 0 ? math.min(values[i] + 0.5, ushort.MaxValue) : 0);

@@ -174,8 +174,7 @@ namespace FastPoints.E57
         public SourceInfo Info { get; }
         public E57Schema Schema { get; }
 
-        // Whether some scan's positions or normals pass through rows of doubles.
-        public bool HasVectors { get; }
+        public bool HasVectors { get; } // Whether some scan's positions or normals pass through rows of doubles.
 
         public bool AreKnown { get; private set; }
         public int Count => Known(m_blockCount);

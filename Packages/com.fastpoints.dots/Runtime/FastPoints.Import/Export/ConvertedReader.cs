@@ -103,8 +103,7 @@ namespace FastPoints.Export
             }
         }
 
-        /// <summary>Null as stored.</summary>
-        public EditPlan Edits { get; private set; }
+        public EditPlan Edits { get; private set; } // Null as stored.
 
         internal override ulong FilterHash => Edits?.Hash ?? 0;
 

@@ -52,8 +52,7 @@ namespace FastPoints.Export
 
         public NativeArray<ulong> Pointers => m_pointers;
 
-        /// <summary>Bytes that are written, or wait to be.</summary>
-        public long Bytes { get; private set; }
+        public long Bytes { get; private set; } // Bytes that are written, or wait to be.
 
         /// <summary>Whether records up to this one have free buffers.</summary>
         public bool HasRoom(long end) =>

@@ -180,11 +180,9 @@ namespace FastPoints.Export
     /// <summary>Chooses points of a source: the command line's conditions and polygons.</summary>
     internal interface IPointFilter
     {
-        /// <summary>Names of the attributes that it reads, beside the position.</summary>
-        IEnumerable<string> Attributes { get; }
+        IEnumerable<string> Attributes { get; } // Names of the attributes that it reads, beside the position.
 
-        /// <summary>Differs between those that keep different points.</summary>
-        ulong Hash { get; }
+        ulong Hash { get; } // Differs between those that keep different points.
 
         IFilterSlot CreateSlot(PointBatch batch, in PositionTransform transform);
     }

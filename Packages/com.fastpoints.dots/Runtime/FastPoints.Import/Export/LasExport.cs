@@ -43,7 +43,7 @@ namespace FastPoints.Export
             var las = (reader as ILasSource)?.Las;
             m_records = las == null ? LasRecordsOf(reader) : null;
             var from = las?.Header ?? m_records?.Header;
-            m_header = from != null ? LasMetadata.CopyOf(from) : new LasHeader { VersionMinor = 4 };
+            m_header = from != null ? LasMetadata.CopyWithoutPoints(from) : new LasHeader { VersionMinor = 4 };
             m_header.GeneratingSoftware = "FastPoints";
             if (las == null)
                 ChooseFormat(info.Schema, chosen);

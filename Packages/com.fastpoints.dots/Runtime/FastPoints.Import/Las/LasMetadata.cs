@@ -27,13 +27,11 @@ namespace FastPoints.Las
 
         public LasHeader Header { get; }
 
-        /// <summary>Unknown if the files' records of it differ.</summary>
-        public CoordinateSystem Crs { get; private set; }
+        public CoordinateSystem Crs { get; private set; } // Unknown if the files' records of it differ.
 
         public GpsTime GpsTime { get; }
 
-        /// <summary>Bytes at the end of a point that no record describes.</summary>
-        public int UndescribedBytes { get; private set; }
+        public int UndescribedBytes { get; private set; } // Bytes at the end of a point that no record describes.
 
         public IReadOnlyList<Record> All => m_records; // In the order of the first file.
 
@@ -82,7 +80,7 @@ namespace FastPoints.Las
         /// <summary>A LAS file without points.</summary>
         public byte[] ToBytes()
         {
-            var header = CopyOf(Header);
+            var header = CopyWithoutPoints(Header);
             header.GeneratingSoftware = Header.GeneratingSoftware;
             header.HeaderBytes = LasHeader.BytesOf(header.VersionMinor);
             header.RecordBytes = Header.RecordBytes;
@@ -112,7 +110,7 @@ namespace FastPoints.Las
         }
 
         /// <summary>All fields except those that depend on points.</summary>
-        public static LasHeader CopyOf(LasHeader from) => new LasHeader
+        public static LasHeader CopyWithoutPoints(LasHeader from) => new LasHeader
         {
             FileSourceId = from.FileSourceId,
             GlobalEncoding = from.GlobalEncoding,
@@ -166,15 +164,15 @@ namespace FastPoints.Las
         void Intersect(LasMetadata other)
         {
             LasHeader a = Header, b = other.Header;
-            if (Differ("file source id", a.FileSourceId == b.FileSourceId))
+            if (NoteUnlessSame("file source id", a.FileSourceId == b.FileSourceId))
                 a.FileSourceId = 0;
-            if (Differ("project id", a.Guid.AsSpan().SequenceEqual(b.Guid)))
+            if (NoteUnlessSame("project id", a.Guid.AsSpan().SequenceEqual(b.Guid)))
                 a.Guid = new byte[16];
-            if (Differ("system identifier", a.SystemIdentifier == b.SystemIdentifier))
+            if (NoteUnlessSame("system identifier", a.SystemIdentifier == b.SystemIdentifier))
                 a.SystemIdentifier = "";
-            if (Differ("creation date", a.CreationDay == b.CreationDay && a.CreationYear == b.CreationYear))
+            if (NoteUnlessSame("creation date", a.CreationDay == b.CreationDay && a.CreationYear == b.CreationYear))
                 (a.CreationDay, a.CreationYear) = (0, 0);
-            if (Differ("global encoding", a.GlobalEncoding == b.GlobalEncoding))
+            if (NoteUnlessSame("global encoding", a.GlobalEncoding == b.GlobalEncoding))
                 a.GlobalEncoding &= b.GlobalEncoding;
             if (a.GeneratingSoftware != b.GeneratingSoftware)
                 a.GeneratingSoftware = "";
@@ -182,20 +180,20 @@ namespace FastPoints.Las
             (a.MinGpsTime, a.MaxGpsTime) = (Math.Min(a.MinGpsTime, b.MinGpsTime), Math.Max(a.MaxGpsTime, b.MaxGpsTime));
             UndescribedBytes = Math.Min(UndescribedBytes, other.UndescribedBytes);
             foreach (var record in other.m_records)
-                DiffersIn(record, this);
-            m_records.RemoveAll(record => DiffersIn(record, other));
+                NoteIfDiffers(record, this);
+            m_records.RemoveAll(record => NoteIfDiffers(record, other));
         }
 
-        bool DiffersIn(Record record, LasMetadata other)
+        bool NoteIfDiffers(Record record, LasMetadata other)
         {
-            if (!Differ(record.Name, other.m_records.Exists(record.Equals)))
+            if (!NoteUnlessSame(record.Name, other.m_records.Exists(record.Equals)))
                 return false;
             if (record.Vlr.IsCrs)
                 Crs = new CoordinateSystem();
             return true;
         }
 
-        bool Differ(string name, bool isSame)
+        bool NoteUnlessSame(string name, bool isSame)
         {
             if (!isSame && !m_differing.Contains(name))
                 m_differing.Add(name);

@@ -151,8 +151,7 @@ namespace FastPoints.Las
         public LasPointFormat Format { get; }
         public int RecordBytes { get; }
 
-        // End of the last byte that the format or a description covers.
-        public int DescribedBytes { get; }
+        public int DescribedBytes { get; } // End of the last byte that the format or a description covers.
 
         public PointFields Fields { get; } = new PointFields();
         public PointSchema Schema { get; }

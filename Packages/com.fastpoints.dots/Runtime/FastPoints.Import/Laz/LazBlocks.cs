@@ -30,14 +30,12 @@ namespace FastPoints.Laz
         public LasFile Las { get; }
         public LazFormat Format { get; }
 
-        // For what lies between the points.
-        public RandomAccessFile Source { get; }
+        public RandomAccessFile Source { get; } // For what lies between the points.
 
         public SourceHandle File { get; }
         public SourceInfo Info => Las.Info;
 
-        // Chunks with more points become several blocks.
-        public int LongChunkPoints { get; }
+        public int LongChunkPoints { get; } // Chunks with more points become several blocks.
 
         public LazChunkList Chunks { get; set; } = new LazChunkList();
         public List<LazCheckpoint> Checkpoints { get; } = new List<LazCheckpoint>();

@@ -22,8 +22,7 @@ namespace FastPoints.Laz
         public int Count => m_scattered?.Count ?? m_bytes.Count;
         public long PointCount { get; private set; }
 
-        // Of any chunk, now or before.
-        public long MaxPoints { get; private set; }
+        public long MaxPoints { get; private set; } // Of any chunk, now or before.
 
         public long MaxBytes { get; private set; }
 

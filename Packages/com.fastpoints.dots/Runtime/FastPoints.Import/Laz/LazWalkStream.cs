@@ -47,8 +47,7 @@ namespace FastPoints.Laz
         public long PointsDone { get; private set; }
         public long FileOffset { get; private set; }
 
-        // The input does not hold the next point.
-        public bool IsStopped { get; private set; }
+        public bool IsStopped { get; private set; } // The input does not hold the next point.
 
         // The window may not hold the next batch, and the file has more.
         public bool NeedsInput => FileOffset < m_windowStart || FileOffset > m_windowEnd

@@ -91,8 +91,7 @@ namespace FastPoints.Reading
 
     internal interface IThrottledConsumer : IBlockConsumer
     {
-        // It may wait for a millisecond. Main thread.
-        bool IsReady { get; }
+        bool IsReady { get; } // It may wait for a millisecond. Main thread.
     }
 
     // The reads in flight of a source, as many as keep workers busy; a slot's memory is allocated when it is first needed.

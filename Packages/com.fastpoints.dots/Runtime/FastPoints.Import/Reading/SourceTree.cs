@@ -26,8 +26,7 @@ namespace FastPoints.Reading
         public int LevelCount { get; private set; }
         public int PageCount { get; set; }
 
-        // All pages were read, or abandoned with a warning.
-        public bool IsHierarchyRead { get; set; }
+        public bool IsHierarchyRead { get; set; } // All pages were read, or abandoned with a warning.
 
         public SourceNode this[int node] => m_nodes[node];
 

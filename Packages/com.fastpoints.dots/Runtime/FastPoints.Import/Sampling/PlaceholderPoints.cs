@@ -20,7 +20,7 @@ namespace FastPoints.Sampling
 
         readonly PositionTransform m_transform;
         readonly SampleBuffer m_points;
-        OccupiedCells m_cells;
+        CellHashing m_cells;
         NativeArray<ulong> m_table;
         NativeReference<int> m_count;
         JobHandle m_lastAppended;
@@ -29,12 +29,12 @@ namespace FastPoints.Sampling
         {
             m_transform = transform;
             double edge = bounds.IsEmpty ? 0 : math.cmax(bounds.Size);
-            m_cells = new OccupiedCells
+            m_cells = new CellHashing
             {
                 Corner = bounds.IsEmpty ? default : bounds.Min,
                 CellsPerUnit = edge > 0 ? CellsPerRootOfPoints * Math.Sqrt(wanted) / edge : 0,
             };
-            m_table = new NativeArray<ulong>(OccupiedCells.Words, Allocator.Persistent);
+            m_table = new NativeArray<ulong>(CellHashing.Words, Allocator.Persistent);
             // At a half, half of the sample's entries are free.
             m_points = new SampleBuffer(schema, transform, Math.Max(1, wanted / 2));
             m_points.MarkAllFilled();
@@ -51,7 +51,7 @@ namespace FastPoints.Sampling
         public JobHandle ScheduleAppend(BlockRead read, NativeArray<PointColumn> columns, SampleStrata strata, JobHandle decoded)
         {
             for (int first = 0; first < read.Range.Count; first += SampleBuffer.PointsPerSlice)
-                decoded = ScheduleKeep(new KeepEmptyCellsJob
+                decoded = ScheduleKeep(new AppendPlaceholdersJob
                 {
                     From = read.Points.Bytes,
                     ColumnsOfSource = columns,
@@ -59,13 +59,13 @@ namespace FastPoints.Sampling
                     First = first,
                     End = first + SampleBuffer.PointsPerSlice,
                     Positions = PositionColumns.Of(read.Points),
-                    FirstPoint = read.FirstPoint,
+                    RangeFirstPoint = read.FirstPoint,
                     Strata = strata,
                 }, decoded);
             return decoded;
         }
 
-        JobHandle ScheduleKeep(KeepEmptyCellsJob job, JobHandle inputDeps)
+        JobHandle ScheduleKeep(AppendPlaceholdersJob job, JobHandle inputDeps)
         {
             job.Transform = m_transform;
             job.Cells = m_cells;
@@ -86,7 +86,7 @@ namespace FastPoints.Sampling
             try
             {
                 yield return JobStep.Of(Slices.Run(0, count, SampleBuffer.PointsPerSlice, (first, end, before) =>
-                    ScheduleKeep(new KeepEmptyCellsJob
+                    ScheduleKeep(new AppendPlaceholdersJob
                     {
                         From = points.Bytes,
                         ColumnsOfSource = columns,

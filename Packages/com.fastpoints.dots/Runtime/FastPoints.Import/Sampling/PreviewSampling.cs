@@ -85,7 +85,7 @@ namespace FastPoints.Sampling
 
         IEnumerator<JobStep> Scan(StageProgress progress)
         {
-            using (var uniform = new UniformSampler(m_reader, m_options.Points, m_options.Seed))
+            using (var uniform = new FileOrderSampler(m_reader, m_options.Points, m_options.Seed))
             {
                 yield return JobStep.Of(uniform.Run(0, progress));
                 Sample = uniform.TakeSample();

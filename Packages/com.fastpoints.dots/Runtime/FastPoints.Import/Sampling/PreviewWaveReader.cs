@@ -17,8 +17,7 @@ namespace FastPoints.Sampling
             Method = method;
         }
 
-        /// <summary>The caller disposes it.</summary>
-        public SampleBuffer Buffer { get; }
+        public SampleBuffer Buffer { get; } // The caller disposes it.
 
         public string Method { get; protected set; }
 

@@ -34,8 +34,7 @@ namespace FastPoints.Sampling
 
         public bool IsSliced { get; }
 
-        /// <summary>Number of points in the ranges returned so far.</summary>
-        public long Taken { get; private set; }
+        public long Taken { get; private set; } // Number of points in the ranges returned so far.
 
         public List<BlockRange> Next(double share)
         {
@@ -56,9 +55,9 @@ namespace FastPoints.Sampling
             return ranges;
         }
 
-        /// <summary>Records how many points a range has brought.</summary>
-        /// <param name="points">Fewer than requested if the block is broken: no more of it is read.</param>
-        public void Add(BlockRange range, int points)
+        /// <summary>Reads no more of a block that is broken.</summary>
+        /// <param name="points">How many the range has brought; fewer than requested if it is.</param>
+        public void EndIfShort(BlockRange range, int points)
         {
             if (!IsSliced || points == range.Count)
                 return;

@@ -8,7 +8,7 @@ using Unity.Jobs;
 namespace FastPoints.Sampling
 {
     /// <summary>Reads every block of a source once, all of them deeper from wave to wave (<see cref="RefiningPlan"/>), and offers
-    /// a sample to draw at a fifth, at a half and at the end, when it equals that of <see cref="UniformSampler"/> point for
+    /// a sample to draw at a fifth, at a half and at the end, when it equals that of <see cref="FileOrderSampler"/> point for
     /// point.</summary>
     /// <remarks>Until then the sample has those of its points that were reached, and instead of the others the first point of
     /// each cell that would be empty although points in it were read (spatial thinning). It is the same for any number of threads
@@ -79,8 +79,7 @@ namespace FastPoints.Sampling
         /// <summary>The last wave's sample until the next one replaces and disposes it; null before the first.</summary>
         public PreviewSample Sample => m_sample;
 
-        /// <summary>While set, no more reads begin, so that other work can use the machine.</summary>
-        public bool IsPaused { get; set; }
+        public bool IsPaused { get; set; } // While set, no more reads begin, so that other work can use the machine.
 
         bool IThrottledConsumer.IsReady => !IsPaused;
 
@@ -182,7 +181,7 @@ namespace FastPoints.Sampling
             m_rangesRead++;
             m_bytesRead += m_reader.BytesOfRange(read.Range) - (read.Range.First == 0 ? 0
                 : m_reader.BytesOfRange(new BlockRange(block, 0, read.Range.First)));
-            m_plan.Add(read.Range, read.Points.Count);
+            m_plan.EndIfShort(read.Range, read.Points.Count);
             if (m_plan.IsSliced && !m_plan.IsTaken(block))
                 m_stateOfBlock[block] = read.KeepState(m_freeStates.Count > 0 ? m_freeStates.Pop() : null);
             m_progress?.Report(m_pointsRead / (double)Math.Max(1, m_reader.PointCount), m_pointsRead, m_bytesRead);

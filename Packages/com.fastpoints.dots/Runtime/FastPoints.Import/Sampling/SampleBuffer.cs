@@ -63,7 +63,7 @@ namespace FastPoints.Sampling
                     Result = read.Result,
                     First = first,
                     End = Math.Min(read.Range.Count, first + EntriesPerSlice),
-                    FirstPoint = read.FirstPoint,
+                    RangeFirstPoint = read.FirstPoint,
                     Strata = strata,
                     ColumnsOfSample = m_columns,
                     Sample = Points.Bytes,
@@ -229,7 +229,7 @@ namespace FastPoints.Sampling
         public int First;
         public int End;
 
-        public long FirstPoint;
+        public long RangeFirstPoint;
 
         public SampleStrata Strata;
 
@@ -239,8 +239,8 @@ namespace FastPoints.Sampling
 
         public unsafe void Execute()
         {
-            long begin = FirstPoint + First;
-            long end = math.min(FirstPoint + math.min(End, Result.Value.Points), Strata.Points);
+            long begin = RangeFirstPoint + First;
+            long end = math.min(RangeFirstPoint + math.min(End, Result.Value.Points), Strata.Points);
             if (end <= begin)
                 return;
             int* fromIndex = stackalloc int[BatchLength];
@@ -260,7 +260,7 @@ namespace FastPoints.Sampling
                 long point = Strata.Chosen(stratum);
                 if (point >= begin && point < end)
                 {
-                    fromIndex[chosen] = (int)(point - FirstPoint);
+                    fromIndex[chosen] = (int)(point - RangeFirstPoint);
                     toIndex[chosen] = stratum;
                     chosen++;
                 }

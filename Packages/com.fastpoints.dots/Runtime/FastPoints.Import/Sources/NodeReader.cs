@@ -81,8 +81,7 @@ namespace FastPoints.Sources
 
         internal abstract string NameOf(int level, int3 cell);
 
-        // Of a record in the file; 0 if a node is read whole.
-        private protected abstract int BytesPerPoint { get; }
+        private protected abstract int BytesPerPoint { get; } // Of a record in the file; 0 if a node is read whole.
 
         // What a range is decoded from; of negative length for a whole remote file, however long it is.
         internal FilePiece PieceOf(BlockRange range)

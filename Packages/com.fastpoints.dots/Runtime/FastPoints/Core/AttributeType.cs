@@ -33,7 +33,7 @@ namespace FastPoints
             (AttributeType)(2 * math.tzcnt((uint)bytes) + (isSigned ? 1 : 0));
 
         // The range of an integer type of up to 32 bits; that of 32 bits for any other type.
-        public static void RangeOf(this AttributeType type, out long min, out long max)
+        public static void RangeUpTo32Bits(this AttributeType type, out long min, out long max)
         {
             long values = 1L << 8 * math.min(4, type.SizeOf());
             min = type.IsSigned() ? -values / 2 : 0;

@@ -14,7 +14,8 @@ namespace FastPoints
         public double3 ToGeo(Grid3 position) => new double3(position.X, position.Y, position.Z) * Step + Origin;
 
         /// <summary>For offsets from a corner of the grid. Rounds once more than ToGeo: for pictures, not for proofs.</summary>
-        public PositionTransform FromCorner(Grid3 corner) => new PositionTransform { Scale = Step, Offset = ToGeo(corner) };
+        public PositionTransform TransformFromCorner(Grid3 corner) =>
+            new PositionTransform { Scale = Step, Offset = ToGeo(corner) };
     }
 
     /// <summary>A position on a cloud's grid in whole steps: exact at any distance from the origin.</summary>
@@ -69,7 +70,8 @@ namespace FastPoints
             (ulong)(position.X - Corner.X) >> SideLog2 == 0 && (ulong)(position.Y - Corner.Y) >> SideLog2 == 0 &&
             (ulong)(position.Z - Corner.Z) >> SideLog2 == 0;
 
-        public bool Contains(GridCube other) => other.SideLog2 <= SideLog2 && Contains(other.Corner);
+        /// <param name="other">Of the same octree.</param>
+        public bool ContainsAligned(GridCube other) => other.SideLog2 <= SideLog2 && Contains(other.Corner);
 
         /// <summary>One of the eight cubes of half the side: bit 0 of the octant is x, bit 1 y, bit 2 z.</summary>
         public GridCube Child(int octant)

@@ -38,7 +38,7 @@ namespace FastPoints
                 metres[up.Index()] = Vertical;
             else if (IsInDegrees)
                 metres[up.Index()] = 1;
-            if (!IsInDegrees || up != UpAxis.Z || !IsOnEarth(geo))
+            if (!IsInDegrees || up != UpAxis.Z || !CouldBeDegrees(geo))
                 return metres;
             double latitude = math.radians(math.clamp(geo.y, -MaxLatitude, MaxLatitude)), height = geo.z * metres.z;
             double sine = math.sin(latitude), flattening = 1 - EccentricitySq * sine * sine;
@@ -91,7 +91,7 @@ namespace FastPoints
         }
 
         /// <summary>Whether X and Y can be a longitude and a latitude in degrees.</summary>
-        public static bool IsOnEarth(double3 geo) => geo.x >= -180 && geo.x <= 360 && geo.y >= -90 && geo.y <= 90;
+        public static bool CouldBeDegrees(double3 geo) => geo.x >= -180 && geo.x <= 360 && geo.y >= -90 && geo.y <= 90;
 
         static string NameOf(double metres) => metres == 1 ? "metres" : math.abs(metres - 0.3048) < 1e-8 ? "feet"
             : math.abs(metres - 1200.0 / 3937) < 1e-8 ? "US survey feet"

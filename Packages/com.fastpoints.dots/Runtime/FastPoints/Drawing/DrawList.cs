@@ -41,8 +41,7 @@ namespace FastPoints.Drawing
         // Whether points of listed nodes are left out: of hidden classes, or because a node appears or leaves.
         internal bool FiltersPoints { get; private set; }
 
-        // Also clouds that have normals are lit by depths.
-        internal bool IgnoresNormals { get; set; }
+        internal bool IgnoresNormals { get; set; } // Also clouds that have normals are lit by depths.
 
         // Whether points of any cloud are lit by the depths around them, or by their own normals.
         internal bool IsLitByDepths { get; private set; }
@@ -51,11 +50,9 @@ namespace FastPoints.Drawing
         // Adaptive sizes are looked up in these; empty if there are none.
         internal NativeArray<GpuSizeNode> SizeNodes => m_sizes.Nodes;
 
-        // Whether lists say where their nodes were in the one before.
-        internal bool IsProgressive { get; set; }
+        internal bool IsProgressive { get; set; } // Whether lists say where their nodes were in the one before.
 
-        // Of the last progressive list, from 1.
-        internal int ListNumber { get; private set; }
+        internal int ListNumber { get; private set; } // Of the last progressive list, from 1.
 
         // Indexed as Nodes: the node's first block in the list before, or ListedSlot.None.
         internal NativeArray<uint> PreviousFirstInstanceOfNode => m_previousFirstInstanceOfNode.AsArray();

@@ -62,13 +62,13 @@ namespace FastPoints.Drawing
                 (kept, additional) = (additional, kept);
         }
 
-        public readonly PointLighting From(double3 eye)
+        public readonly PointLighting RelativeTo(double3 eye)
         {
             var light = this;
-            light.Light0.SeeFrom(eye);
-            light.Light1.SeeFrom(eye);
-            light.Light2.SeeFrom(eye);
-            light.Light3.SeeFrom(eye);
+            light.Light0.MakeRelativeTo(eye);
+            light.Light1.MakeRelativeTo(eye);
+            light.Light2.MakeRelativeTo(eye);
+            light.Light3.MakeRelativeTo(eye);
             return light;
         }
 
@@ -113,13 +113,13 @@ namespace FastPoints.Drawing
         public float ConeOffset; // 1, without a cone.
         public float3 Color;
         public float OneOverRangeSq; // 0: endless, and without falling off.
-        public float3 Axis; // Of the cone, towards the light.
+        public float3 AxisToLight; // Of the cone.
         public float ConeScale;
 
         public readonly float BrightnessAt(float3 place) => math.csum(Color) /
             (OneOverRangeSq > 0 ? math.max(MinDistanceSq, math.distancesq(PositionOrDirection, place)) : 1);
 
-        public void SeeFrom(double3 eye) =>
+        public void MakeRelativeTo(double3 eye) =>
             PositionOrDirection = OneOverRangeSq > 0 ? (float3)(PositionOrDirection - eye) : PositionOrDirection;
 
         public readonly float3 On(float3 normal, float3 place)
@@ -128,7 +128,7 @@ namespace FastPoints.Drawing
             float distanceSq = math.max(MinDistanceSq, math.lengthsq(to));
             to /= math.sqrt(distanceSq);
             float fade = math.saturate(1 - distanceSq * OneOverRangeSq * distanceSq * OneOverRangeSq);
-            float cone = math.saturate(math.dot(Axis, to) * ConeScale + ConeOffset);
+            float cone = math.saturate(math.dot(AxisToLight, to) * ConeScale + ConeOffset);
             float falloff = OneOverRangeSq > 0 ? fade * fade / distanceSq : 1;
             return Color * (falloff * cone * cone * PointLighting.Facing(normal, to));
         }

@@ -9,15 +9,15 @@ namespace FastPoints.Queries
         {
             PickedPoint a = from.Point, b = to.Point;
             WorldLength = math.distance(a.PositionWorld, b.PositionWorld);
-            IsGeo = from.Path == to.Path || from.Crs.IsSameAs(to.Crs);
+            HasOneCrs = from.Path == to.Path || from.Crs.IsSameAs(to.Crs);
             bool isSameGrid = a.Grid.Origin.Equals(b.Grid.Origin) && a.Grid.Step.Equals(b.Grid.Step);
             // Whole steps are subtracted exactly; large coordinates are not.
             var steps = b.Position - a.Position;
-            DeltaGeo = !IsGeo ? new double3(double.NaN, double.NaN, double.NaN)
+            DeltaGeo = !HasOneCrs ? new double3(double.NaN, double.NaN, double.NaN)
                 : isSameGrid ? new double3(steps.X, steps.Y, steps.Z) * a.Grid.Step : b.PositionGeo - a.PositionGeo;
             Up = from.Up;
             Units = from.Units;
-            bool hasMetres = IsGeo && Units.IsKnown;
+            bool hasMetres = HasOneCrs && Units.IsKnown;
             MetresPerUnit = !hasMetres ? new double3(double.NaN, double.NaN, double.NaN)
                 : Units.MetresAt((a.PositionGeo + b.PositionGeo) * 0.5, Up);
         }
@@ -26,7 +26,7 @@ namespace FastPoints.Queries
         public double WorldLength { get; }
 
         /// <summary>Whether both are in one coordinate system, so that differences of coordinates are meaningful.</summary>
-        public bool IsGeo { get; }
+        public bool HasOneCrs { get; }
 
         /// <summary>Vector from the first to the second in CRS units; NaN if it is meaningless.</summary>
         public double3 DeltaGeo { get; }

@@ -42,11 +42,11 @@ namespace FastPoints.Queries
             // the origin.
             var corner = CornerOf(block, out var min);
             var at = new BlockCorner { Block = block, Corner = corner, Local = ToDouble(corner) * Step };
-            at.FromOrigin = Space.RelativeToOrigin(at.Local);
+            at.FromOriginWorld = Space.RelativeToOrigin(at.Local);
             if (Filter.IsUsed)
             {
                 var extent = new float3(ExtentOf(block, 0), ExtentOf(block, 1), ExtentOf(block, 2));
-                Filter.Begin(at.FromOrigin, extent, hits.Limit);
+                Filter.Begin(at.FromOriginWorld, extent, hits.Limit);
             }
             if (math.cmax(WidthsOf(block)) > MaxNarrowWidth)
             {
@@ -81,7 +81,7 @@ namespace FastPoints.Queries
         readonly void Test(in BlockCorner at, Grid3 steps, int index, ref HitHeap hits)
         {
             var offset = ToDouble(steps) * Step;
-            if (!Space.Holds(at.FromOrigin + Space.ToWorldVector(offset), out double distance, out double rayDistanceSq) ||
+            if (!Space.Holds(at.FromOriginWorld + Space.ToWorldVector(offset), out double distance, out double rayDistanceSq) ||
                 distance > hits.Limit)
                 return;
             if (!Hidden.IsEmpty && Hidden.Has((byte)Classes.ValueAt(at.Block, 0, index)) ||
@@ -123,7 +123,7 @@ namespace FastPoints.Queries
             public int Block;
             public Grid3 Corner; // From the root's.
             public double3 Local;
-            public double3 FromOrigin;
+            public double3 FromOriginWorld;
         }
     }
 }

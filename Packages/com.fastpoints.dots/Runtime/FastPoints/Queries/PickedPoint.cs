@@ -38,8 +38,7 @@ namespace FastPoints.Queries
 
     internal sealed class PickResult
     {
-        // Null if nothing was hit.
-        public PickedPoint Point { get; internal set; }
+        public PickedPoint Point { get; internal set; } // Null if nothing was hit.
 
         // The search ended at PickOptions.MaxBytes, so that there may be a nearer point.
         public bool IsPartial { get; internal set; }

@@ -46,8 +46,7 @@ namespace FastPoints.Queries
 
         public NodeSource Source => m_cloud.Source;
 
-        // A picker has one search at a time.
-        public bool IsSearching { get; private set; }
+        public bool IsSearching { get; private set; } // A picker has one search at a time.
 
         // Coroutine: the first point of all, with what the cloud knows of it. The options must not change meanwhile.
         public IEnumerator<JobStep> Find(PointQuery query, CloudPlacement placement, PickOptions options, PickResult result)
@@ -169,7 +168,7 @@ namespace FastPoints.Queries
         {
             bool areKnown = true;
             foreach (var taken in m_taken)
-                areKnown &= !taken.IsPage || Source.PrepareBuild(taken.Page);
+                areKnown &= !taken.IsPage || Source.TryPrepareBuild(taken.Page);
             if (!areKnown && Source.Update() is PointCloudException failure)
                 throw failure;
             return areKnown;

@@ -43,8 +43,7 @@ namespace FastPoints.Queries
 
         public long Bytes { get; private set; }
 
-        // Whether all that was resident in the last frame is in the copy.
-        public bool IsComplete { get; private set; }
+        public bool IsComplete { get; private set; } // Whether all that was resident in the last frame is in the copy.
 
         public bool IsReading => m_slots.Exists(s_isBusy);
 

@@ -49,7 +49,7 @@ namespace FastPoints.Store
             var hierarchy = new ContainerRecord
             {
                 Kind = manifest.IsSingleFile ? ContainerKind.SingleFile : ContainerKind.Hierarchy,
-                FileBytes = manifest.HierarchyBytes,
+                FileBytes = manifest.HierarchyFileBytes,
                 Hash = manifest.RootHash,
             };
             Add(manifest.RootPage, AddContainer(SourcePath.Combine(path, manifest.HierarchyName), hierarchy));
@@ -66,8 +66,7 @@ namespace FastPoints.Store
         /// <summary>The nodes of page 0.</summary>
         public NodeTable Root { get; private set; }
 
-        // Null unless the folder was opened to be shown.
-        internal VerifiedPlanes VerifiedPlanes { get; private set; }
+        internal VerifiedPlanes VerifiedPlanes { get; private set; } // Null unless the folder was opened to be shown.
 
         /// <summary>The pages that are known so far: page 0, and those that a loaded page links to.</summary>
         public int PageCount => m_pages.Count;
@@ -306,12 +305,12 @@ namespace FastPoints.Store
 
         void ReadTail()
         {
-            long bytes = Math.Max(Manifest.RootBytes, Math.Min(TailBytes, Manifest.HierarchyBytes));
-            m_tail = StoreFile.Read(RemoteOfTable(0), Manifest.HierarchyBytes - bytes, bytes, Allocator.Persistent);
+            long bytes = Math.Max(Manifest.RootBytes, Math.Min(TailBytes, Manifest.HierarchyFileBytes));
+            m_tail = StoreFile.Read(RemoteOfTable(0), Manifest.HierarchyFileBytes - bytes, bytes, Allocator.Persistent);
         }
 
         bool IsInTail(int page) => m_tail.IsCreated && m_pages[page].TableContainer == 0 &&
-            m_pages[page].Link.OffsetBytes >= Manifest.HierarchyBytes - m_tail.Length;
+            m_pages[page].Link.OffsetBytes >= Manifest.HierarchyFileBytes - m_tail.Length;
 
         // A page that came with the root's. The memory has room for it.
         internal bool TryCopyPage(int page, NativeArray<byte> to)
@@ -319,7 +318,7 @@ namespace FastPoints.Store
             if (!IsInTail(page))
                 return false;
             var link = m_pages[page].Link;
-            long from = link.OffsetBytes - (Manifest.HierarchyBytes - m_tail.Length);
+            long from = link.OffsetBytes - (Manifest.HierarchyFileBytes - m_tail.Length);
             NativeArray<byte>.Copy(m_tail, (int)from, to, 0, link.LengthBytes);
             return true;
         }

@@ -94,8 +94,8 @@ namespace FastPoints.Store
                     value.GeoKeys);
         }
 
-        /// <summary>Sizes and place of the hierarchy: of all its pages, and of the one that all others are below.</summary>
-        public long HierarchyBytes;
+        /// <summary>Sizes and place of the hierarchy: of its file, and of the page that all others are below.</summary>
+        public long HierarchyFileBytes;
         public long RootOffset;
         public int RootBytes;
 
@@ -196,8 +196,8 @@ namespace FastPoints.Store
                 json.EndArray();
             }
             json.BeginObject("settings").Add("sampler", Sampler).EndObject();
-            json.BeginObject("hierarchy").Add("whole", IsSingleFile).Add("bytes", HierarchyBytes).Add("rootOffset", RootOffset)
-                .Add("rootBytes", RootBytes).AddHex("rootHash", RootHash).EndObject();
+            json.BeginObject("hierarchy").Add("whole", IsSingleFile).Add("bytes", HierarchyFileBytes)
+                .Add("rootOffset", RootOffset).Add("rootBytes", RootBytes).AddHex("rootHash", RootHash).EndObject();
             return json.EndObject().ToString();
         }
 
@@ -249,7 +249,7 @@ namespace FastPoints.Store
                 NodeCount = json.NonNegative("nodes"),
                 ChunkCount = json.NonNegative("chunks"),
                 IsSingleFile = hierarchy.Flag("whole"),
-                HierarchyBytes = hierarchy.NonNegative("bytes"),
+                HierarchyFileBytes = hierarchy.NonNegative("bytes"),
                 RootOffset = hierarchy.NonNegative("rootOffset"),
                 RootBytes = (int)hierarchy.NonNegative("rootBytes", StoreFormat.MaxPageBytesToRead),
                 RootHash = hierarchy.Hex("rootHash"),
@@ -268,11 +268,11 @@ namespace FastPoints.Store
         // known once the root's page was read.
         internal string FindProblem()
         {
-            if (RootOffset < FileHeader.SizeBytes || RootOffset != HierarchyBytes - RootBytes)
+            if (RootOffset < FileHeader.SizeBytes || RootOffset != HierarchyFileBytes - RootBytes)
                 return "\"rootOffset\": wanted that the root's page ends " + HierarchyName + ", got " + RootOffset;
             long bytesPerNode = NodeRecord.SizeBytes + (long)CreateLayout().Planes.Count * PackedRange.SizeBytes;
-            return NodeCount <= HierarchyBytes / bytesPerNode ? null
-                : "\"nodes\": wanted at most " + HierarchyBytes / bytesPerNode + ", got " + NodeCount;
+            return NodeCount <= HierarchyFileBytes / bytesPerNode ? null
+                : "\"nodes\": wanted at most " + HierarchyFileBytes / bytesPerNode + ", got " + NodeCount;
         }
 
         void ReadGridAndBounds(JsonMembers json)

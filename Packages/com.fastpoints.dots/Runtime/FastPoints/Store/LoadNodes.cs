@@ -35,7 +35,7 @@ namespace FastPoints.Store
         }
 
         /// <summary>Reads the nodes as a coroutine. Positions come as grid steps from the root's corner: see
-        /// <see cref="CloudGrid.FromCorner"/>.</summary>
+        /// <see cref="CloudGrid.TransformFromCorner"/>.</summary>
         /// <param name="batch">A batch with the schema of <see cref="SchemaFor"/> and capacity for all points of the
         /// selection.</param>
         /// <exception cref="PointCloudException">A file cannot be read, or a node is damaged.</exception>

@@ -16,8 +16,7 @@ namespace FastPoints.Store
         /// keeps its distance from the points below and above it, not from those beside it.</summary>
         public const byte TopFlag = 2;
 
-        /// <summary>Corner of the node's cube: positions are stored as offsets from it.</summary>
-        [FieldOffset(0)] public Grid3 Corner;
+        [FieldOffset(0)] public Grid3 Corner; // Corner of the node's cube: positions are stored as offsets from it.
 
         /// <summary>Bounds of the node's own points: offsets from the corner, in units of 2^<see cref="BoundsShift"/> grid
         /// steps, rounded down.</summary>
@@ -34,19 +33,16 @@ namespace FastPoints.Store
         [FieldOffset(52)] public int FirstChild;
         [FieldOffset(56)] public int ChildCount;
 
-        /// <summary>Links of the page to pages below this node.</summary>
-        [FieldOffset(60)] public int FirstLink;
+        [FieldOffset(60)] public int FirstLink; // Links of the page to pages below this node.
         [FieldOffset(64)] public int LinkCount;
 
-        /// <summary>Points of this node alone.</summary>
-        [FieldOffset(68)] public int PointCount;
+        [FieldOffset(68)] public int PointCount; // Points of this node alone.
 
         /// <summary>The node whose planes hold the points: itself, or, for a tiny leaf, its parent. Positions count from the
         /// plane node's corner.</summary>
         [FieldOffset(72)] public int PlaneNode;
 
-        /// <summary>The node's blocks in the plane node's planes.</summary>
-        [FieldOffset(76)] public int FirstBlock;
+        [FieldOffset(76)] public int FirstBlock; // The node's blocks in the plane node's planes.
         [FieldOffset(80)] public int BlockCount;
 
         /// <summary>Blocks in this node's planes, including its inlined leaves'; 0 for an inlined leaf.</summary>
@@ -116,12 +112,10 @@ namespace FastPoints.Store
     {
         public const int SizeBytes = 72;
 
-        /// <summary>Holds all nodes of the page and below.</summary>
-        [FieldOffset(0)] public Grid3 Corner;
+        [FieldOffset(0)] public Grid3 Corner; // Holds all nodes of the page and below.
         [FieldOffset(24)] public int SideLog2;
 
-        /// <summary>The node of this page that is the parent of that page's parentless nodes.</summary>
-        [FieldOffset(28)] public int AttachNode;
+        [FieldOffset(28)] public int AttachNode; // The node of this page that is the parent of that page's parentless nodes.
 
         [FieldOffset(32)] public long SubtreePointCount;
         [FieldOffset(40)] public long SubtreeNodeCount;
@@ -129,8 +123,7 @@ namespace FastPoints.Store
         [FieldOffset(48)] public long OffsetBytes;
         [FieldOffset(56)] public int LengthBytes;
 
-        /// <summary>Number of the container among this page's; -1 for that of this page itself.</summary>
-        [FieldOffset(60)] public int Container;
+        [FieldOffset(60)] public int Container; // Number of the container among this page's; -1 for that of this page itself.
         [FieldOffset(64)] public ulong Hash;
 
         public GridCube Cube => new GridCube(Corner, SideLog2);
@@ -143,8 +136,7 @@ namespace FastPoints.Store
     {
         public const int SizeBytes = 56;
 
-        /// <summary>The cube of the chunk, or of the upper nodes that were made together.</summary>
-        [FieldOffset(0)] public Grid3 Corner;
+        [FieldOffset(0)] public Grid3 Corner; // The cube of the chunk, or of the upper nodes that were made together.
         [FieldOffset(24)] public int SideLog2;
 
         /// <summary>Tells containers of one cube apart: parts of more points than a chunk has at one place, and generations of
@@ -157,8 +149,7 @@ namespace FastPoints.Store
         [FieldOffset(36)] public int Reserved;
         [FieldOffset(40)] public long FileBytes;
 
-        /// <summary>Of the hashes of all planes in it, in their order.</summary>
-        [FieldOffset(48)] public ulong Hash;
+        [FieldOffset(48)] public ulong Hash; // Of the hashes of all planes in it, in their order.
 
         public GridCube Cube
         {

@@ -127,8 +127,7 @@ namespace FastPoints.Store
             Word = word;
         }
 
-        /// <summary>The plane's word after the packed ones.</summary>
-        public long Word { get; private set; }
+        public long Word { get; private set; } // The plane's word after the packed ones.
 
         /// <summary>Where a column of 64-bit values is gathered.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

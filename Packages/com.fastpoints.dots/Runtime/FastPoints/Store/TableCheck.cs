@@ -86,7 +86,7 @@ namespace FastPoints.Store
             var node = nodes[index];
             if (node.SideLog2 > GridCube.MaxSideLog2 || node.CellLog2 > node.SideLog2)
                 return new TableProblem(TableFault.Side, index);
-            if (!Link.Cube.Contains(node.Cube))
+            if (!Link.Cube.ContainsAligned(node.Cube))
                 return new TableProblem(TableFault.OutsideRegion, index);
             if (!IsOfOctree(node.Cube))
                 return new TableProblem(TableFault.NotOfOctree, index);
@@ -95,7 +95,7 @@ namespace FastPoints.Store
             if (node.Parent >= 0)
             {
                 var parent = nodes[node.Parent];
-                if (!parent.Cube.Contains(node.Cube) || (parent.SideLog2 == node.SideLog2 && node.SideLog2 != 0))
+                if (!parent.Cube.ContainsAligned(node.Cube) || (parent.SideLog2 == node.SideLog2 && node.SideLog2 != 0))
                     return new TableProblem(TableFault.ParentCube, index);
                 if (index < parent.FirstChild || index >= (long)parent.FirstChild + parent.ChildCount)
                     return new TableProblem(TableFault.NotAChild, index);
@@ -121,7 +121,7 @@ namespace FastPoints.Store
 
         // A page has fewer points and nodes than the one above it: no circle of links is followed for ever.
         bool IsLinkRight(in PageLink link, int node) => link.AttachNode == node && link.SideLog2 >= 0 &&
-            link.SideLog2 <= GridCube.MaxSideLog2 && Link.Cube.Contains(link.Cube) && IsOfOctree(link.Cube) &&
+            link.SideLog2 <= GridCube.MaxSideLog2 && Link.Cube.ContainsAligned(link.Cube) && IsOfOctree(link.Cube) &&
             link.SubtreePointCount > 0 && link.SubtreePointCount < Link.SubtreePointCount &&
             link.SubtreeNodeCount > 0 && link.SubtreeNodeCount < Link.SubtreeNodeCount &&
             link.LengthBytes >= PageHeader.SizeBytes && link.LengthBytes <= StoreFormat.MaxPageBytesToRead &&

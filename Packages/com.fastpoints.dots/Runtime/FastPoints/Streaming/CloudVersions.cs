@@ -18,14 +18,12 @@ namespace FastPoints.Streaming
 
         public CloudVersions(StreamContext stream) => m_stream = stream;
 
-        /// <summary>Number of the state that is shown; <see cref="None"/> before the first one.</summary>
-        public int ShownNumber { get; private set; } = None;
+        public int ShownNumber { get; private set; } = None; // Number of the state that is shown; None before the first one.
 
         /// <summary>Number of the preview that is shown beside a build in progress, or <see cref="None"/>.</summary>
         public int Preview { get; private set; } = None;
 
-        /// <summary>Number of the next state to show, or <see cref="None"/>.</summary>
-        public int Next { get; private set; } = None;
+        public int Next { get; private set; } = None; // Number of the next state to show, or None.
 
         public bool IsCurrent => Next == None;
 

@@ -57,8 +57,7 @@ namespace FastPoints.Streaming
             set => m_edited = value != null ? new EditedNodes(value, m_folder, m_planes, m_isWhole) : null;
         }
 
-        // Why edits are not applied: reported once.
-        internal PointCloudException Refused { get; set; }
+        internal PointCloudException Refused { get; set; } // Why edits are not applied: reported once.
 
         public override PointCloudException Update()
         {
@@ -152,8 +151,7 @@ namespace FastPoints.Streaming
 
         internal override void MarkStale() => MarkedStale?.Invoke();
 
-        // Set by whoever would open it again.
-        internal Action MarkedStale { get; set; }
+        internal Action MarkedStale { get; set; } // Set by whoever would open it again.
 
         internal override FilePiece TableOf(int page) => m_folder.TableOf(page);
 

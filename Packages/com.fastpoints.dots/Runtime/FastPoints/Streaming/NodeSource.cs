@@ -89,7 +89,7 @@ namespace FastPoints.Streaming
         internal virtual void MarkStale() { }
 
         /// <summary>For sources that transcode: if a page cannot be built now, the source reads what is missing.</summary>
-        public virtual bool PrepareBuild(int page) => true;
+        public virtual bool TryPrepareBuild(int page) => true;
 
         /// <summary>Registers a page that was built, and numbers the pages attached to it.</summary>
         /// <param name="table">What it was built from.</param>

@@ -31,8 +31,7 @@ namespace FastPoints.Streaming
         public NodeSource Source { get; }
         public CloudPlacement Placement { get; set; }
 
-        // It goes when its reads and uploads have ended.
-        public bool IsRemoving { get; set; }
+        public bool IsRemoving { get; set; } // It goes when its reads and uploads have ended.
 
         // It loads what another shows of the same nodes, and will replace it: it is not drawn, and takes nothing of the budget.
         public bool IsReplacement { get; set; }

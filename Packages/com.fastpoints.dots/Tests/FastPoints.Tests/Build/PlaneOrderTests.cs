@@ -77,7 +77,7 @@ namespace FastPoints.Tests.Build
                 reader.ListPieces(new BlockRange(block, 0, reader.PointsInBlock(block)), pieces);
             using var folder = CloudFolder.Open(reader.Info.Path);
             _ = folder.EachTable().Count();
-            long stored = folder.Files().Sum(f => f.Bytes) - folder.Manifest.HierarchyBytes;
+            long stored = folder.Files().Sum(f => f.Bytes) - folder.Manifest.HierarchyFileBytes;
             Assert.That(pieces.Sum(p => p.LengthBytes), Is.InRange(stored * 9 / 10, stored * 11 / 10));
         }
     }

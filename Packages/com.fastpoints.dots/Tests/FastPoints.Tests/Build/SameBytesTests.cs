@@ -102,7 +102,7 @@ namespace FastPoints.Tests.Build
             const int pointsPerChunk = 10000;
             var positions = Terrain(300000);
             // Smaller leaves: a chunk that is its top whole is none in the hierarchy.
-            Convert("cloud", new ConvertSettings { PointsPerChunk = pointsPerChunk, MaxPointsPerLeaf = 500, CellsLog2 = 4 },
+            Convert("cloud", new ConvertSettings { PointsPerChunk = pointsPerChunk, TargetPointsPerLeaf = 500, CellsLog2 = 4 },
                 MemoryReader.Of(positions, s_centimetres, 2000));
             using var folder = CloudFolder.Open(Target("cloud"));
             var (root, origin) = (folder.Manifest.Root, folder.Manifest.Grid.Origin);
@@ -201,7 +201,7 @@ namespace FastPoints.Tests.Build
             Add("filter", filtered);
             Add("attributes", Reader(), new ConvertSettings { Attributes = new[] { AttributeNames.Intensity } });
             Add("cells", Reader(), new ConvertSettings { CellsLog2 = 5 });
-            Add("leaf", Reader(), new ConvertSettings { MaxPointsPerLeaf = 1000 });
+            Add("leaf", Reader(), new ConvertSettings { TargetPointsPerLeaf = 1000 });
             Add("chunks", Reader(), new ConvertSettings { PointsPerChunk = 1000 });
             foreach (var sampler in new[] { Sampler.Random, Sampler.Average })
                 Add(sampler.ToString(), Reader(), new ConvertSettings { Sampler = sampler });

@@ -183,7 +183,7 @@ namespace FastPoints.Tests.Core
                 {
                     ulong value = OrderedBits.Load(values + i * type.SizeOf(), type);
                     wanted.Include(new AttributeStatistics { OrderedMin = value, OrderedMax = value, Or = value });
-                    wanted.Modulo257Or |= type == AttributeType.UInt16 ? (uint)(value >> 8 ^ value & 0xFF) : 0;
+                    wanted.Modulo257OrOfUInt16 |= type == AttributeType.UInt16 ? (uint)(value >> 8 ^ value & 0xFF) : 0;
                 }
                 Assert.That(found, Is.EqualTo(wanted));
             }

@@ -31,7 +31,7 @@ namespace FastPoints.Tests.Drawing
             float inner = math.cos(math.radians(20)), outer = math.cos(math.radians(60));
             var additional = new AdditionalLight { PositionOrDirection = s_up, Color = 1, ConeScale = 1 / (inner - outer) };
             additional.ConeOffset = -outer * additional.ConeScale;
-            additional.Axis = new float3(math.sin(math.radians(degrees)), math.cos(math.radians(degrees)), 0);
+            additional.AxisToLight = new float3(math.sin(math.radians(degrees)), math.cos(math.radians(degrees)), 0);
             return math.round(additional.On(s_up, 0).x * 1000) / 1000;
         }
 
@@ -54,7 +54,7 @@ namespace FastPoints.Tests.Drawing
             light.Add(Above(2, 10), 0);
             light.Add(new AdditionalLight { PositionOrDirection = s_up, Color = 1, ConeOffset = 1 }, 0);
             var eye = new double3(3, -4, 5);
-            var moved = light.From(eye).On(s_up, (float3)(0 - eye));
+            var moved = light.RelativeTo(eye).On(s_up, (float3)(0 - eye));
             Assert.That(moved.x, Is.EqualTo(light.On(s_up, 0).x).Within(1e-5).And.GreaterThan(3));
         }
     }

@@ -38,7 +38,7 @@ namespace FastPoints.Tests.Evaluation
             int cloud = stream.Add(source, placement ?? StreamedTestCloud.Geo(source));
             StreamedTestCloud.Settle(stream, camera);
             var ranges = new DisplayRanges { Color = ColorDepth.Bits16 };
-            var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
+            var plan = new PicturePlan(options, ranges, source.Grid.TransformFromCorner(source.Root.Corner));
             using var picture = new StreamedPicture(options);
             picture.Add(new StreamedBlocks(stream, cloud, plan), ColorMode.Rgb);
             return picture.Draw(camera);
@@ -131,7 +131,7 @@ namespace FastPoints.Tests.Evaluation
             var source = m_cloud.Open();
             int cloud = stream.Add(source, StreamedTestCloud.Geo(source));
             var plan = new PicturePlan(options, new DisplayRanges { Color = ColorDepth.Bits16 },
-                source.Grid.FromCorner(source.Root.Corner));
+                source.Grid.TransformFromCorner(source.Root.Corner));
             using var picture = new StreamedPicture(options);
             picture.Add(new StreamedBlocks(stream, cloud, plan), ColorMode.Rgb);
             StreamedTestCloud.Rest(stream, near);

@@ -58,7 +58,7 @@ namespace FastPoints.Tests.Export
         string Cloud => Folder.File("scan.fastpoints");
 
         void Convert(PointReader reader, int cellsLog2 = 0) => JobCoroutine.RunToEnd(ConvertCloud.Run(new[] { reader }, Cloud,
-            new ConvertSettings { MaxPointsPerLeaf = 300, PointsPerChunk = 5000, CellsLog2 = cellsLog2 }, _ => { }, null));
+            new ConvertSettings { TargetPointsPerLeaf = 300, PointsPerChunk = 5000, CellsLog2 = cellsLog2 }, _ => { }, null));
 
         void ConvertSeeded(int points = 8000, double zScale = 0.01, int cellsLog2 = 0)
         {

@@ -10,7 +10,7 @@ namespace FastPoints.Tests.Nodes
     [Category("Smoke")]
     public class SampleNodesTests
     {
-        static readonly NodeSizes s_small = new NodeSizes { CellsLog2 = 4, MaxPointsPerLeaf = 100, MaxPointsPerNode = 300 };
+        static readonly NodeSizes s_small = new NodeSizes { CellsLog2 = 4, TargetPointsPerLeaf = 100, MaxPointsPerNode = 300 };
 
         [TestCaseSource(typeof(SamplingClouds), nameof(SamplingClouds.All))]
         public void Sample_SmallCloud_IsExactlyTheReference(Grid3[] positions)
@@ -66,7 +66,7 @@ namespace FastPoints.Tests.Nodes
             var sampled = SampledPoints.Run(positions, sampler, NodeSizes.Default, SampleNodesJob.CostOfSlice);
             Assert.That(watch.Elapsed.TotalSeconds, Is.LessThan(30));
             CheckNodes(sampled, NodeSizes.Default);
-            Assert.That(sampled.Nodes.Where(n => n.SideLog2 == 0).Sum(n => n.Count), Is.EqualTo(266666).Within(30));
+            Assert.That(sampled.Nodes.Where(n => n.SideLog2 == 0).Sum(n => n.OwnCount), Is.EqualTo(266666).Within(30));
         }
 
         [Test]
@@ -74,7 +74,7 @@ namespace FastPoints.Tests.Nodes
         {
             var positions = SamplingClouds.Make(20000,
                 (r, i) => (new Grid3(r.NextInt(1 << 20), r.NextInt(1 << 20), i < 9 ? i << 17 : z), r));
-            Assert.That(SampledPoints.Run(positions, Sampler.Poisson, s_small).Nodes[0].Count, Is.InRange(37, 48));
+            Assert.That(SampledPoints.Run(positions, Sampler.Poisson, s_small).Nodes[0].OwnCount, Is.InRange(37, 48));
         }
 
         [TestCase(40), TestCase(61)]
@@ -96,7 +96,7 @@ namespace FastPoints.Tests.Nodes
         public void Sample_DenserThanANodeAllows_StopsAtItsLimit()
         {
             // The cap is less than what would fit at the coarsest cells that it allows: neighbours at exactly the spacing.
-            var sizes = new NodeSizes { CellsLog2 = 4, MaxPointsPerLeaf = 10, MaxPointsPerNode = 64 };
+            var sizes = new NodeSizes { CellsLog2 = 4, TargetPointsPerLeaf = 10, MaxPointsPerNode = 64 };
             var sampled = SampledPoints.Run(SamplingClouds.Lattice(16, 16), Sampler.Poisson, sizes);
             CheckNodes(sampled, sizes);
         }
@@ -107,7 +107,7 @@ namespace FastPoints.Tests.Nodes
             foreach (var positions in new[] { SamplingClouds.Volume(30000, 1 << 20), SamplingClouds.Surface(30000, 1 << 18) })
             {
                 var sizes =
-                    new NodeSizes { CellsLog2 = 5, MaxPointsPerLeaf = 500, MaxPointsPerNode = StoreFormat.MaxPointsPerNode };
+                    new NodeSizes { CellsLog2 = 5, TargetPointsPerLeaf = 500, MaxPointsPerNode = StoreFormat.MaxPointsPerNode };
                 var sampled = SampledPoints.Run(positions, Sampler.Poisson, sizes);
                 CheckNodes(sampled, sizes);
                 Assert.That(sampled.SmallestRatio(), Is.InRange(1.0, 1.01));
@@ -117,7 +117,8 @@ namespace FastPoints.Tests.Nodes
         [Test]
         public void Sample_Spacing_MatchesRandomDartThrowing()
         {
-            var sizes = new NodeSizes { CellsLog2 = 5, MaxPointsPerLeaf = 100, MaxPointsPerNode = StoreFormat.MaxPointsPerNode };
+            var sizes =
+                new NodeSizes { CellsLog2 = 5, TargetPointsPerLeaf = 100, MaxPointsPerNode = StoreFormat.MaxPointsPerNode };
             foreach (var positions in new[] { SamplingClouds.Volume(6000, 1 << 20), SamplingClouds.Surface(6000, 1 << 18) })
             {
                 var sampled = SampledPoints.Run(positions, Sampler.Poisson, sizes);
@@ -184,8 +185,8 @@ namespace FastPoints.Tests.Nodes
             for (int n = 0; n < counts.Length; n++)
             {
                 var node = sampled.Nodes[n];
-                Assert.That(node.Count, Is.EqualTo(counts[n]));
-                Assert.That(node.Count, Is.InRange(1, sizes.MaxPointsPerNode));
+                Assert.That(node.OwnCount, Is.EqualTo(counts[n]));
+                Assert.That(node.OwnCount, Is.InRange(1, sizes.MaxPointsPerNode));
                 Assert.That(node.Parent, Is.LessThan(n));
                 if (n > 0)
                     Assert.That(node.Parent, Is.GreaterThanOrEqualTo(0));

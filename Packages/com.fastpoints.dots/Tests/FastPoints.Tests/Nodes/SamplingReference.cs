@@ -86,7 +86,7 @@ namespace FastPoints.Tests.Nodes
                 cells = finer;
             }
             cube.Offered = cube.Points;
-            if (count <= Math.Min(m_sizes.MaxPointsPerNode, m_sizes.MaxPointsPerLeaf / 4 * 5) ||
+            if (count <= Math.Min(m_sizes.MaxPointsPerNode, m_sizes.TargetPointsPerLeaf / 4 * 5) ||
                 count <= m_sizes.MaxPointsPerNode && cells >= count - count / 4)
                 return;
             if (side == 0)

@@ -165,7 +165,7 @@ namespace FastPoints.Tests.Sampling
             using (var whole = Take(reader, 20_000))
             {
                 Assert.That(whole.Count, Is.EqualTo(20_000));
-                using var exact = new UniformSampler(reader, 20_000, 1);
+                using var exact = new FileOrderSampler(reader, 20_000, 1);
                 JobCoroutine.RunToEnd(exact.Run(0, null));
                 using var reference = exact.TakeSample();
                 Count(reference, 1);

@@ -25,7 +25,7 @@ namespace FastPoints.Tests.Sampling
                     {
                         Assert.That(range.First, Is.EqualTo(taken[range.Block]));
                         taken[range.Block] += range.Count;
-                        plan.Add(range, range.Count);
+                        plan.EndIfShort(range, range.Count);
                     }
                 Assert.That(plan.Taken, Is.GreaterThanOrEqualTo(share * count));
                 Assert.That(plan.Taken,
@@ -61,7 +61,7 @@ namespace FastPoints.Tests.Sampling
                     foreach (var range in ranges)
                     {
                         ofThird += range.Block == 3 ? 1 : 0;
-                        plan.Add(range, range.Block == 3 ? range.Count - 1 : range.Count);
+                        plan.EndIfShort(range, range.Block == 3 ? range.Count - 1 : range.Count);
                     }
             Assert.That(ofThird, Is.EqualTo(1));
             Assert.That(plan.Taken, Is.EqualTo(800));

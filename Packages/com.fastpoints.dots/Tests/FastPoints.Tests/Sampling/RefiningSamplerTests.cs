@@ -56,7 +56,7 @@ namespace FastPoints.Tests.Sampling
         public void Sample_AtTheEnd_EqualsTheFullScans(int pointsPerBlock)
         {
             using var reader = Square(pointsPerBlock);
-            using var exact = new UniformSampler(reader, 30_000, 5);
+            using var exact = new FileOrderSampler(reader, 30_000, 5);
             JobCoroutine.RunToEnd(exact.Run(0, null));
             using var expected = exact.TakeSample();
             using var sampler = new RefiningSampler(reader, 30_000, 5, null, Bounds);

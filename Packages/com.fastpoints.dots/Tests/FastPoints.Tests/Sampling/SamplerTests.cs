@@ -8,7 +8,7 @@ namespace FastPoints.Tests.Sampling
     {
         static PreviewSample Uniform(MemoryPointReader reader, int wanted, int slots, uint seed = 1)
         {
-            using var sampler = new UniformSampler(reader, wanted, seed);
+            using var sampler = new FileOrderSampler(reader, wanted, seed);
             JobCoroutine.RunToEnd(sampler.Run(slots, new StageProgress()));
             return sampler.TakeSample();
         }
@@ -129,7 +129,7 @@ namespace FastPoints.Tests.Sampling
         {
             var batch = TestBatches.New(3, new[] { new PointAttribute("Value", AttributeType.UInt8) });
             using var reader = new MemoryPointReader(batch, 10);
-            Assert.That(() => new UniformSampler(reader, 10, 1),
+            Assert.That(() => new FileOrderSampler(reader, 10, 1),
                 Throws.TypeOf<PointCloudException>().With.Property("Code").EqualTo(FailureCode.Unsupported));
         }
 
@@ -137,7 +137,7 @@ namespace FastPoints.Tests.Sampling
         public void Samplers_CancelledHalfway_FreeTheirMemory()
         {
             using var reader = new MemoryPointReader(TestBatches.Numbered(50_000), 500);
-            using var sampler = new UniformSampler(reader, 5000, 1);
+            using var sampler = new FileOrderSampler(reader, 5000, 1);
             var work = new CoroutineStack(sampler.Run(4, null));
             for (int step = 0; step < 10; step++)
                 Assert.That(work.MoveNext(), Is.True);

@@ -40,7 +40,7 @@ namespace FastPoints.Tests.Store
                     Intensity = new CloudManifest.ValueRange { Min = 7, Max = 900 },
                     HasColor = true,
                 },
-                HierarchyBytes = 12345,
+                HierarchyFileBytes = 12345,
                 RootOffset = 1L << 40,
                 RootBytes = 65536,
                 RootHash = 42,

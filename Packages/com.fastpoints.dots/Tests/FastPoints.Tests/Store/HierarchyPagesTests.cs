@@ -47,7 +47,8 @@ namespace FastPoints.Tests.Store
             Assert.That(m_pages.Sum(p => (long)p.Nodes.Length), Is.EqualTo(manifest.NodeCount));
             Assert.That(m_pages.Skip(1).Select(p => p.Link.OffsetBytes), Is.Unique.And.EquivalentTo(
                 m_pages.SelectMany(p => p.Links).Select(l => l.OffsetBytes)));
-            Assert.That(m_pages.Sum(p => (long)p.Link.LengthBytes), Is.EqualTo(manifest.HierarchyBytes - FileHeader.SizeBytes));
+            Assert.That(m_pages.Sum(p => (long)p.Link.LengthBytes),
+                Is.EqualTo(manifest.HierarchyFileBytes - FileHeader.SizeBytes));
             foreach (var (link, nodes, _, _) in m_pages)
                 Assert.That(link.LengthBytes <= StoreFormat.MaxPageBytes || IsOneNode(nodes), link.LengthBytes + " bytes, " +
                     nodes.Length + " nodes");

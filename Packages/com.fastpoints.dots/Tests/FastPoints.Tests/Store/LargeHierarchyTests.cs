@@ -64,7 +64,7 @@ namespace FastPoints.Tests.Store
             var requests = pages.Select(RequestsFor).ToArray();
 
             TestContext.WriteLine(manifest.Points + " points, " + (1 << 2 * chunkLevel) + " chunks, " + manifest.NodeCount +
-                " nodes; file " + manifest.HierarchyBytes + " bytes, cloud.json " + new FileInfo(json).Length + "; chosen " +
+                " nodes; file " + manifest.HierarchyFileBytes + " bytes, cloud.json " + new FileInfo(json).Length + "; chosen " +
                 selection.NodeCount + " nodes, " + selection.Points + " points; read " + bytes + " bytes: pages by depth " +
                 string.Join(", ", pages.Select(p => p.Count)) + "; requests " + string.Join(", ", requests) + "; known pages " +
                 folder.PageCount + " of " + sizeof(HierarchyPage) + " bytes for streaming");

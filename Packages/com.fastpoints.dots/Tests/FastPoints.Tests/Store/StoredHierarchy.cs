@@ -148,7 +148,7 @@ namespace FastPoints.Tests.Store
                 manifest.RootBytes = link.LengthBytes;
                 manifest.RootHash = link.Hash;
             }));
-            manifest.HierarchyBytes = writer.Offset;
+            manifest.HierarchyFileBytes = writer.Offset;
         }
 
         public static CloudManifest ManifestFor(int planeCount)

@@ -30,7 +30,7 @@ namespace FastPoints.Tests.Streaming
             {
                 PointsPerChunk = 8000,
                 CellsLog2 = 4,
-                MaxPointsPerLeaf = 500,
+                TargetPointsPerLeaf = 500,
                 SecondsToFirstGeneration = 0,
                 SecondsPerGeneration = 0,
             };

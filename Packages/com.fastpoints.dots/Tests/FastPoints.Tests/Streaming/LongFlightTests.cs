@@ -137,7 +137,7 @@ namespace FastPoints.Tests.Streaming
             {
                 int cloud = m_cloud.Add(stream, moved);
                 var source = stream.Clouds[cloud].Source;
-                var plan = new PicturePlan(options, ranges, source.Grid.FromCorner(source.Root.Corner));
+                var plan = new PicturePlan(options, ranges, source.Grid.TransformFromCorner(source.Root.Corner));
                 picture.Add(new StreamedBlocks(stream, cloud, plan), ColorMode.Rgb);
             }
             StreamedTestCloud.Settle(stream, camera);

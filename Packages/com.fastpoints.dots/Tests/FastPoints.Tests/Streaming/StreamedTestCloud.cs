@@ -39,7 +39,8 @@ namespace FastPoints.Tests.Streaming
         void Convert(long pointsPerChunk, PointReader[] readers)
         {
             JobCoroutine.RunToEnd(ConvertCloud.Run(readers, Path,
-                new ConvertSettings { PointsPerChunk = pointsPerChunk, CellsLog2 = 4, MaxPointsPerLeaf = 500 }, r => { }, null));
+                new ConvertSettings { PointsPerChunk = pointsPerChunk, CellsLog2 = 4, TargetPointsPerLeaf = 500 },
+                r => { }, null));
         }
 
         public string Path { get; }

@@ -5,8 +5,7 @@ sealed class TemporaryTextures
     readonly Dictionary<int, RenderTexture> m_byName = new Dictionary<int, RenderTexture>();
     readonly List<RenderTexture> m_idle = new List<RenderTexture>();
 
-    /// <summary>Of the camera whose command buffers are executed; null if none draws.</summary>
-    internal RenderTexture CameraTarget { get; set; }
+    internal RenderTexture CameraTarget { get; set; } // Of the camera whose command buffers are executed; null if none draws.
 
     internal RenderTexture Get(int name, in RenderTextureDescriptor descriptor, FilterMode filter)
     {

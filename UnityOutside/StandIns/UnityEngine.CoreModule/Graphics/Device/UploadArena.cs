@@ -10,8 +10,7 @@ sealed unsafe class UploadArena(GpuDevice device)
     int m_chunk;
     ulong m_used;
 
-    /// <summary>Bytes handed out since the last reset.</summary>
-    internal ulong Bytes { get; private set; }
+    internal ulong Bytes { get; private set; } // Bytes handed out since the last reset.
 
     internal void Reset()
     {

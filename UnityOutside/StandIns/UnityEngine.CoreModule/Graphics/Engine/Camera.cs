@@ -65,8 +65,7 @@ public sealed class Camera : Behaviour
     /// <summary>A host's screen, where there is no <see cref="targetTexture"/>: its first row is the picture's topmost.</summary>
     internal RenderTexture Screen { get; set; }
 
-    /// <summary>The part of the screen that it draws into, from the lower left; null for all of it.</summary>
-    internal Rect? Part { get; set; }
+    internal Rect? Part { get; set; } // The part of the screen that it draws into, from the lower left; null for all of it.
 
     internal float DynamicScale { get; set; } = 1;
     public int pixelWidth => (int)(Part?.width ?? (Target == null ? 0 : Target.width));

@@ -15,8 +15,7 @@ public sealed class Mesh : Object
     internal Vector3[] Vertices { get; private set; } = [];
     internal uint[] Indices { get; private set; } = [];
 
-    /// <summary>Whether what it has now was prepared for physics.</summary>
-    internal bool IsBaked { get; set; }
+    internal bool IsBaked { get; set; } // Whether what it has now was prepared for physics.
 
     internal static int Count
     {

@@ -31,6 +31,5 @@ public sealed class SystemInfo
 
     static bool HasDevice => !IsServer && GpuDevice.TryGet(out _) != null;
 
-    /// <summary>Whether this process has no graphics, whatever the machine has.</summary>
-    internal static bool IsServer { get; set; }
+    internal static bool IsServer { get; set; } // Whether this process has no graphics, whatever the machine has.
 }

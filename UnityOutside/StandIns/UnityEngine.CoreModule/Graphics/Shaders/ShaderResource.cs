@@ -11,8 +11,7 @@ sealed class ShaderResource(uint variable, string name, DescriptorType kind)
     internal bool IsWritten { get; set; }
     internal bool IsArray { get; set; }
 
-    /// <summary>Of a texture that is read and written at random; undefined where it may have any.</summary>
-    internal Format Format { get; set; }
+    internal Format Format { get; set; } // Of a texture that is read and written at random; undefined where it may have any.
 
     internal int Binding { get; set; }
 

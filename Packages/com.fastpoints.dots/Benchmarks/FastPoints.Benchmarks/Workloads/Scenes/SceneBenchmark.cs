@@ -35,8 +35,7 @@ namespace FastPoints.Benchmarks
 
         public SliceTimes FrameTimes { get; } = new SliceTimes(Allocator.Persistent);
 
-        /// <summary>Managed bytes that the main thread allocated in the last frame.</summary>
-        public long Garbage { get; private set; }
+        public long Garbage { get; private set; } // Managed bytes that the main thread allocated in the last frame.
 
         public StreamSettings Settings => m_group.Stream.Settings;
         public bool IsIdle => m_group.Stats.IsSettled && !m_group.IsOpening && IsOpen;

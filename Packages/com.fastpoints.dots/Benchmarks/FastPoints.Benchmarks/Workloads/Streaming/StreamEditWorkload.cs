@@ -49,6 +49,7 @@ namespace FastPoints.Benchmarks
         {
             m_longestMs = 0;
             var operation = NewOperation();
+            double strokeMs = m_isBrush ? Stroke(operation) : 0;
             var watch = Stopwatch.StartNew();
             JobCoroutine.RunToEnd(EditCloud.Run(m_path, operation, null));
             double counted = watch.Elapsed.TotalMilliseconds;
@@ -61,8 +62,9 @@ namespace FastPoints.Benchmarks
             {
                 Points = operation.PointsChanged,
                 Note = string.Format(CultureInfo.InvariantCulture, "{0:N0} points: written down after {1:0} ms, shown after " +
-                    "{2:0} ms; undone and shown in {3:0} ms; longest frame of the main thread {4:0.0} ms",
-                    operation.PointsChanged, counted, shown, undone - shown, m_longestMs),
+                    "{2:0} ms; undone and shown in {3:0} ms; longest frame of the main thread {4:0.0} ms" +
+                    (m_isBrush ? "; each ball of the stroke shown after {5:0} ms" : ""),
+                    operation.PointsChanged, counted, shown, undone - shown, m_longestMs, strokeMs),
             };
         }
 
@@ -75,16 +77,29 @@ namespace FastPoints.Benchmarks
                 File.Delete(EditJournal.PathOf(m_path));
         }
 
-        FolderSource Open()
+        /// <summary>As the Scene view's brush has it: ball after ball is shown, and nothing written. Ms a ball.</summary>
+        double Stroke(EditOperation operation)
+        {
+            var watch = Stopwatch.StartNew();
+            for (int balls = 1; balls <= operation.Balls.Count; balls++)
+            {
+                var draft = new EditOperation { Action = EditAction.Color, Value = new byte[] { 255, 128, 0 } };
+                draft.Balls.AddRange(operation.Balls.GetRange(0, balls));
+                Show(draft);
+            }
+            return watch.Elapsed.TotalMilliseconds / operation.Balls.Count;
+        }
+
+        FolderSource Open(EditOperation draft = null)
         {
             var source = new FolderSource(CloudFolder.Open(m_path), StoreLayout.ColorName);
-            source.Edits = EditPlan.Of(m_path, source.Folder.Manifest);
+            source.Edits = EditPlan.Of(m_path, source.Folder.Manifest, draft);
             return source;
         }
 
-        void Show()
+        void Show(EditOperation draft = null)
         {
-            var source = Open(); // By another thread, in scenes.
+            var source = Open(draft); // By another thread, in scenes.
             long start = Stopwatch.GetTimestamp();
             m_versions.Add(source);
             for (bool isShown = false; !isShown; Thread.Yield(), start = Stopwatch.GetTimestamp())

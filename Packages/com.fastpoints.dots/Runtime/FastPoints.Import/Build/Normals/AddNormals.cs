@@ -149,7 +149,7 @@ namespace FastPoints.Build
         {
             var schema = LoadNodes.SchemaFor(m_folder, AttributeNames.PointSourceId);
             var manifest = m_folder.Manifest;
-            var toGeo = manifest.Grid.FromCorner(manifest.Root.Corner);
+            var toGeo = manifest.Grid.TransformFromCorner(manifest.Root.Corner);
             using var scanners = new NativeArray<double3>(!AreScannersKnown(manifest) ? Array.Empty<double3>()
                 : Array.ConvertAll(manifest.Scanners, at => (at - toGeo.Offset) / toGeo.Scale), Allocator.Persistent);
             foreach (var cube in cubes.Cubes())

@@ -66,7 +66,7 @@ namespace FastPoints.Build
             {
                 var node = TableOf(page).Nodes[index];
                 isAny |= Intersects(node, cube.Corner, EndOf(cube));
-                if (!cube.Contains(node.Cube))
+                if (!cube.ContainsAligned(node.Cube))
                     continue;
                 inside += node.PointCount;
                 smallest = Math.Min(smallest, node.SideLog2);

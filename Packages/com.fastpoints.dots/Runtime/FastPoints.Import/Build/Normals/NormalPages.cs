@@ -42,7 +42,7 @@ namespace FastPoints.Build
                 }
                 yield return default;
             }
-            manifest.HierarchyBytes = written;
+            manifest.HierarchyFileBytes = written;
             manifest.RootOffset = links[0].OffsetBytes;
             manifest.RootBytes = links[0].LengthBytes;
             manifest.RootHash = links[0].Hash;

@@ -78,7 +78,7 @@ namespace FastPoints.Build
     /// <summary>Counts a chunk's records in each cell, exactly, where the first partition had only a sample, and finds their
     /// bounds.</summary>
     [BurstCompile]
-    internal unsafe struct CountCellsJob : IJob
+    internal unsafe struct CountCellPointsJob : IJob
     {
         public RecordPages Pages;
         public RecordLayout Layout;

@@ -33,16 +33,13 @@ namespace FastPoints.Build
         public GridCube Cube { get; }
         public int Levels { get; }
 
-        /// <summary>The chunks' cubes, in Morton order; they fill the cube.</summary>
-        public GridCube[] Chunks { get; }
+        public GridCube[] Chunks { get; } // The chunks' cubes, in Morton order; they fill the cube.
 
         public int OutsideChunk => Chunks.Length;
 
-        /// <summary>See <see cref="Build.BaseCells"/>: those of the cube, in Morton order.</summary>
-        public GridCube[] BaseCells { get; set; }
+        public GridCube[] BaseCells { get; set; } // See BaseCells: those of the cube, in Morton order.
 
-        /// <summary>Estimates, by base cell.</summary>
-        public double[] PointsOfBaseCell { get; set; }
+        public double[] PointsOfBaseCell { get; set; } // Estimates, by base cell.
 
         public ulong SampleHash { get; set; }
 
@@ -268,7 +265,7 @@ namespace FastPoints.Build
             foreach (var shell in shells)
             {
                 for (int octant = 0; octant < 8; octant++)
-                    if (!shell.Child(octant).Contains(inner))
+                    if (!shell.Child(octant).ContainsAligned(inner))
                         around.Add(shell.Child(octant));
                 inner = shell;
             }
@@ -279,13 +276,11 @@ namespace FastPoints.Build
             m_cells = around.ToArray();
         }
 
-        /// <summary>The cube that they fill: the partition's, or the last shell.</summary>
-        public GridCube Root { get; }
+        public GridCube Root { get; } // The cube that they fill: the partition's, or the last shell.
 
         public GridCube[] All => m_cells;
 
-        /// <summary>The octants around the partition's cube, in Morton order.</summary>
-        public GridCube[] Around { get; }
+        public GridCube[] Around { get; } // The octants around the partition's cube, in Morton order.
 
         public GridCube At(Grid3 position) => m_cells[IndexOf(position)];
 
@@ -293,7 +288,7 @@ namespace FastPoints.Build
         public GridCube[] In(GridCube cube)
         {
             int first = IndexOf(cube.Corner), end = first;
-            while (end < m_cells.Length && cube.Contains(m_cells[end]))
+            while (end < m_cells.Length && cube.ContainsAligned(m_cells[end]))
                 end++;
             var cells = new GridCube[end - first];
             Array.Copy(m_cells, first, cells, 0, cells.Length);

@@ -37,7 +37,7 @@ namespace FastPoints.Build
         public ulong OrderedMin;
         public ulong OrderedMax;
         public ulong Or; // The bitwise or of all values: trailing zeros give a power of two that divides all of them.
-        public uint Modulo257Or; // 0 if every value is a multiple of 257: eight bits twice.
+        public uint Modulo257OrOfUInt16; // 0 if every value is a multiple of 257: eight bits twice.
 
         public static AttributeStatistics None => new AttributeStatistics { OrderedMin = ulong.MaxValue };
 
@@ -88,7 +88,7 @@ namespace FastPoints.Build
                     result.OrderedMin = math.min(result.OrderedMin, Load(found + lane, size));
                     result.OrderedMax = math.max(result.OrderedMax, Load(found + VectorBytes + lane, size));
                     result.Or |= Load(found + 2 * VectorBytes + lane, size);
-                    result.Modulo257Or |= found[3 * VectorBytes + lane];
+                    result.Modulo257OrOfUInt16 |= found[3 * VectorBytes + lane];
                 }
             }
             for (; at < bytes; at += size)
@@ -97,9 +97,9 @@ namespace FastPoints.Build
                 result.OrderedMin = math.min(result.OrderedMin, value);
                 result.OrderedMax = math.max(result.OrderedMax, value);
                 result.Or |= value;
-                result.Modulo257Or |= (value >> 8 ^ value) & 0xFF;
+                result.Modulo257OrOfUInt16 |= (value >> 8 ^ value) & 0xFF;
             }
-            result.Modulo257Or = size == 1 ? 0 : result.Modulo257Or;
+            result.Modulo257OrOfUInt16 = size == 1 ? 0 : result.Modulo257OrOfUInt16;
             return result;
         }
 
@@ -110,7 +110,7 @@ namespace FastPoints.Build
             OrderedMin = OrderedMin < other.OrderedMin ? OrderedMin : other.OrderedMin;
             OrderedMax = OrderedMax > other.OrderedMax ? OrderedMax : other.OrderedMax;
             Or |= other.Or;
-            Modulo257Or |= other.Modulo257Or;
+            Modulo257OrOfUInt16 |= other.Modulo257OrOfUInt16;
         }
     }
 }

@@ -50,8 +50,7 @@ namespace FastPoints.Build
             Attributes = new NativeArray<AttributeStatistics>(statistics, Allocator.Persistent);
         }
 
-        /// <summary>The records of the block's points that have a position.</summary>
-        public NativeArray<byte> Records { get; }
+        public NativeArray<byte> Records { get; } // The records of the block's points that have a position.
 
         /// <summary>First record of each chunk, including that for points outside, and one more entry.</summary>
         public NativeArray<int> FirstOfChunk { get; }
@@ -87,7 +86,7 @@ namespace FastPoints.Build
             }.Schedule(decoded);
         }
 
-        public PointStatistics CollectStatistics(AttributeStatistics[] attributes)
+        public PointStatistics TakeStatistics(AttributeStatistics[] attributes)
         {
             var statistics = Statistics;
             var found = statistics.Value;

@@ -52,8 +52,7 @@ namespace FastPoints.Build
             m_queue = new WriteQueue(RenewLock, FolderLock.RenewAfter);
         }
 
-        /// <summary>Whether a build of this target was killed before.</summary>
-        public bool HasLeftovers { get; }
+        public bool HasLeftovers { get; } // Whether a build of this target was killed before.
 
         /// <summary>Reads a text that a killed build left, or returns null if there is none.</summary>
         public string ReadText(string name) => File.Exists(PathOf(name)) ? StoreFile.ReadText(PathOf(name)) : null;

@@ -182,7 +182,7 @@ namespace FastPoints.Build
                 manifest.RootBytes = link.LengthBytes;
                 manifest.RootHash = link.Hash;
             }));
-            manifest.HierarchyBytes = writer.Offset;
+            manifest.HierarchyFileBytes = writer.Offset;
             using var header = new NativeArray<byte>(HeaderOf(manifest, planeCount), Allocator.Persistent);
             yield return JobStep.Of(CloudFolderWriter.Await(folder.Seal(name, header)));
         }
@@ -198,7 +198,7 @@ namespace FastPoints.Build
                 {
                     Cube = manifest.Root,
                     Kind = ContainerKind.Hierarchy,
-                    FileBytes = manifest.HierarchyBytes,
+                    FileBytes = manifest.HierarchyFileBytes,
                     Hash = manifest.RootHash,
                 },
                 PointCount = manifest.Points,
@@ -217,8 +217,7 @@ namespace FastPoints.Build
         {
             public List<int> Nodes;
 
-            /// <summary>The node of the subtree that the roots are children of, or -1.</summary>
-            public int Above;
+            public int Above; // The node of the subtree that the roots are children of, or -1.
         }
 
         readonly int m_planeCount;
@@ -259,8 +258,7 @@ namespace FastPoints.Build
 
         public Subtree Subtree { get; }
 
-        /// <summary>Pages come after those that their roots hang on.</summary>
-        public List<Page> Pages { get; } = new List<Page>();
+        public List<Page> Pages { get; } = new List<Page>(); // Pages come after those that their roots hang on.
 
         public int RootPages { get; }
 

@@ -63,8 +63,7 @@ namespace FastPoints.Build
             m_thread.Start();
         }
 
-        /// <summary>The failure, to be read after <see cref="End"/>; null if there was none.</summary>
-        public Exception Failure { get; private set; }
+        public Exception Failure { get; private set; } // The failure, to be read after End; null if there was none.
 
         /// <summary>Queues a file in one piece. The bytes belong to the queue until the ticket is done, here and below.</summary>
         public WriteTicket Write(string path, NativeArray<byte> bytes) => Enqueue(WriteKind.Whole, path, bytes, 0);

@@ -52,23 +52,23 @@ namespace FastPoints.Laz
             writer->m_end = LazLayer.ChunkHeaderBytes(recordBytes, layerCount);
         }
 
-        /// <summary>What a layer takes at most of the counts given to Encode.</summary>
+        /// <summary>What a layer takes at most of the budgets given to Encode.</summary>
         public static long CostOfLayer(int points) => points + 1 + CostOfSearch(points);
 
         // To see that nothing changes in a layer costs a sixteenth of coding it.
         static int CostOfSearch(int points) => 1 + points / 16;
 
-        /// <summary>Continues for this many points of layers.</summary>
+        /// <summary>Continues for a budget: one for each point of each layer, and for searches.</summary>
         /// <returns>Bytes of the whole chunk, once it is; 0 before.</returns>
-        public static long Encode(LayeredWriter* writer, LazLayer* layers, byte* records, int points, byte* output, int count)
+        public static long Encode(LayeredWriter* writer, LazLayer* layers, byte* records, int points, byte* output, int budget)
         {
             int coded = points - 1;
-            while (writer->m_layer < writer->m_layerCount && count > 0)
+            while (writer->m_layer < writer->m_layerCount && budget > 0)
             {
                 var layer = layers[writer->m_layer];
                 if (writer->m_done < 0)
                 {
-                    count -= CostOfSearch(coded);
+                    budget -= CostOfSearch(coded);
                     if (writer->m_layer > 1 && !IsChanged(layer, records, writer->m_recordBytes, points))
                     {
                         End(writer, output, writer->m_end);
@@ -77,13 +77,13 @@ namespace FastPoints.Laz
                     Begin(writer, layer, records, output);
                 }
                 int some = coded - writer->m_done;
-                some = some < count ? some : count > 0 ? count : 1;
+                some = some < budget ? some : budget > 0 ? budget : 1;
                 some = some < coded - writer->m_done ? some : coded - writer->m_done;
                 writer->m_state.Stream.Resume(output, null);
                 Encode(writer, records + (long)(1 + writer->m_done) * writer->m_recordBytes, some);
                 writer->m_state.Stream.Suspend(output);
                 writer->m_done += some;
-                count -= some;
+                budget -= some;
                 if (writer->m_done < coded)
                     continue;
                 var stream = writer->m_state.Stream;

@@ -55,8 +55,7 @@ namespace FastPoints.Nodes
 
         public NativeList<byte> Table { get; }
 
-        /// <summary>The records of the top node in the layout of tops, after the job.</summary>
-        public NativeList<byte> Top { get; }
+        public NativeList<byte> Top { get; } // The records of the top node in the layout of tops, after the job.
         public NativeList<NodeDraft> Drafts { get; }
         public NativeList<int> NodeOfDraft { get; }
 

@@ -126,8 +126,7 @@ namespace FastPoints.Nodes
         {
             public Stage Stage;
 
-            /// <summary>The next point, node or byte, and the node's next plane.</summary>
-            public int At;
+            public int At; // The next point, node or byte, and the node's next plane.
             public int Plane;
             public int NodeCount;
 
@@ -203,15 +202,12 @@ namespace FastPoints.Nodes
             public int Bucket;
             public int Point;
 
-            /// <summary>Bytes of the ordered records whose pages are touched.</summary>
-            public long Touched;
+            public long Touched; // Bytes of the ordered records whose pages are touched.
 
-            /// <summary>Bits that any of the bucket's keys has, and those that all have.</summary>
-            public ulong AnyBits;
+            public ulong AnyBits; // Bits that any of the bucket's keys has, and those that all have.
             public ulong CommonBits;
 
-            /// <summary>Which half of the keys is sorted.</summary>
-            public bool IsSwapped;
+            public bool IsSwapped; // Which half of the keys is sorted.
         }
 
         public NativeReference<State> Progress;
@@ -290,16 +286,13 @@ namespace FastPoints.Nodes
             public int Ends;
             public fixed int EndOfOctant[8];
 
-            /// <summary>log2 of the spacing.</summary>
-            public int CellLog2;
+            public int CellLog2; // log2 of the spacing.
 
-            /// <summary>The part whose candidates are read, the next of them, and how many the range has taken.</summary>
-            public int Child;
+            public int Child; // The part whose candidates are read, the next of them, and how many the range has taken.
             public int Candidate;
             public int Taken;
 
-            /// <summary>While chunks' tops are put into the grid before anything is sampled.</summary>
-            public bool IsFixing;
+            public bool IsFixing; // While chunks' tops are put into the grid before anything is sampled.
 
             /// <summary>The current tile, whether it and its neighbours have no samples, the number of its darts, and
             /// the next to throw.</summary>
@@ -308,11 +301,9 @@ namespace FastPoints.Nodes
             public int Darts;
             public int Dart;
 
-            /// <summary>While points are compared with samples, without darts: whether a tile has begun.</summary>
-            public bool HasTile;
+            public bool HasTile; // While points are compared with samples, without darts: whether a tile has begun.
 
-            /// <summary>The best candidate of the current cell: its rank.</summary>
-            public long Best;
+            public long Best; // The best candidate of the current cell: its rank.
         }
 
         public NativeReference<State> Progress;

@@ -38,8 +38,7 @@ namespace FastPoints.Nodes
         public StoreLayout Layout { get; }
         public NativeArray<StoredColumn> Columns { get; private set; }
 
-        /// <summary>Indexed by attribute plane, with one more entry.</summary>
-        public NativeArray<int> FirstColumnOfPlane { get; private set; }
+        public NativeArray<int> FirstColumnOfPlane { get; private set; } // Indexed by attribute plane, with one more entry.
 
         public NativeArray<PlaneShape> Shapes { get; private set; }
 
@@ -47,8 +46,7 @@ namespace FastPoints.Nodes
         /// computed.</summary>
         public NativeArray<int> AverageOf { get; private set; }
 
-        /// <summary>The attribute plane that lies with the positions, or a negative number.</summary>
-        public int ColorPlane { get; }
+        public int ColorPlane { get; } // The attribute plane that lies with the positions, or a negative number.
 
         public NativeArray<StoredColumn> AveragedColumns { get; private set; }
 

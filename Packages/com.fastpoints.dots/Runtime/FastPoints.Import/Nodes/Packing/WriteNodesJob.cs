@@ -125,7 +125,7 @@ namespace FastPoints.Nodes
             for (int d = 0; d < Drafts.Length; d++)
             {
                 firstPoint[d] = sum;
-                sum += m_drafts[d].Count;
+                sum += m_drafts[d].OwnCount;
             }
             m_state = new WriteScratch.State { Stage = Stage.SortPoints };
         }
@@ -143,7 +143,7 @@ namespace FastPoints.Nodes
             if (end < Count)
                 return;
             for (int d = 0; d < Drafts.Length; d++)
-                next[d] -= m_drafts[d].Count;
+                next[d] -= m_drafts[d].OwnCount;
             m_state.Stage = Stage.Plan;
         }
 
@@ -221,7 +221,7 @@ namespace FastPoints.Nodes
         void CopyTop()
         {
             var layout = Layout.ForTops(Averaged.HasColumns);
-            int stride = layout.StrideBytes, count = m_drafts[0].Count;
+            int stride = layout.StrideBytes, count = m_drafts[0].OwnCount;
             Top.ResizeUninitialized(count * stride);
             byte* to = Top.GetUnsafePtr();
             for (int i = 0; i < count; i++, to += stride)
@@ -298,7 +298,7 @@ namespace FastPoints.Nodes
         {
             var draft = m_drafts[Scratch.DraftOfNode[node]];
             int parent = draft.Parent < 0 ? -1 : NodeOfDraft[draft.Parent];
-            bool isInlined = draft.IsLeaf && draft.Count < InlinedLeafPoints && parent >= 0;
+            bool isInlined = draft.IsLeaf && draft.OwnCount < InlinedLeafPoints && parent >= 0;
             var position = Layout.PositionOf(m_packer.Records + (long)draft.First * Layout.StrideBytes) - Corner;
             long whole = -1L << draft.SideLog2;
             return new NodeRecord
@@ -306,12 +306,12 @@ namespace FastPoints.Nodes
                 Corner = Corner + new Grid3(position.X & whole, position.Y & whole, position.Z & whole),
                 SideLog2 = draft.SideLog2,
                 CellLog2 = draft.CellLog2,
-                Flags = (byte)((draft.IsLeaf ? NodeRecord.LeafFlag : 0) | (draft.IsTop ? NodeRecord.TopFlag : 0)),
+                Flags = (byte)((draft.IsLeaf ? NodeRecord.LeafFlag : 0) | (draft.IsTopRemainder ? NodeRecord.TopFlag : 0)),
                 Parent = parent,
                 FirstChild = childCount > 0 ? firstChild : 0,
                 ChildCount = childCount,
-                PointCount = draft.Count,
-                BlockCount = PlaneShape.BlocksOf(draft.Count),
+                PointCount = draft.OwnCount,
+                BlockCount = PlaneShape.BlocksOf(draft.OwnCount),
                 PlaneNode = isInlined ? parent : node,
             };
         }

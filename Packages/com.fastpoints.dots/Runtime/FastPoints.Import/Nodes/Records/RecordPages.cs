@@ -20,8 +20,7 @@ namespace FastPoints.Nodes
             public Page* Next;
             public int Count;
 
-            /// <summary>Of the packed block that has taken the place of its records.</summary>
-            public int BlockBytes;
+            public int BlockBytes; // Of the packed block that has taken the place of its records.
         }
 
         const int HeaderBytes = 64;

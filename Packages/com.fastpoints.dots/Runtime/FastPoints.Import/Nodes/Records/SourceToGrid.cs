@@ -185,7 +185,7 @@ namespace FastPoints.Nodes
                         choice.Sources[i].Z = axes[i];
                     var type = infos[i].Schema[infos[i].Schema.IndexOf(name)].Type;
                     isNarrow &= axes[i].UsesFactor && type.SizeOf() <= 4;
-                    type.RangeOf(out long min, out long max);
+                    type.RangeUpTo32Bits(out long min, out long max);
                     long a = min * axes[i].Factor + axes[i].Shift, b = max * axes[i].Factor + axes[i].Shift;
                     lowest = Math.Min(lowest, Math.Min(a, b));
                     highest = Math.Max(highest, Math.Max(a, b));

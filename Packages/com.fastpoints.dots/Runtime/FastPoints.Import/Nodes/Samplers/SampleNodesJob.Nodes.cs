@@ -89,8 +89,8 @@ namespace FastPoints.Nodes
             int node = range.Parent < 0 ? -1 : ranges[range.Parent].Node;
             range.Node = range.Count > 0 ? Nodes.Length : node;
             range.Offered = 0;
-            bool isChain = range.Kind == SampledCubeKind.Chain, isTop = range.Kind == SampledCubeKind.Top;
-            bool isLeaf = range.Kind == SampledCubeKind.Leaf || isTop && Tops[TopOf(range.First)].IsLeaf ||
+            bool isChain = range.Kind == SampledCubeKind.Chain, isTopRemainder = range.Kind == SampledCubeKind.Top;
+            bool isLeaf = range.Kind == SampledCubeKind.Leaf || isTopRemainder && Tops[TopOf(range.First)].IsLeaf ||
                 isChain && !HasNodes(range);
             for (int left = range.Count; left > 0;)
             {
@@ -101,11 +101,11 @@ namespace FastPoints.Nodes
                     First = range.First,
                     End = range.End,
                     Parent = node,
-                    Count = count,
+                    OwnCount = count,
                     SideLog2 = range.SideLog2,
                     CellLog2 = range.CellLog2,
                     IsLeaf = isLeaf && left == 0,
-                    IsTop = isTop,
+                    IsTopRemainder = isTopRemainder,
                 });
                 node = Nodes.Length - 1;
             }

@@ -25,7 +25,7 @@ namespace FastPoints.Nodes
         /// <summary>log2 of the sampling cells along an edge of a node that is not a leaf; it has fewer if the node became too
         /// large.</summary>
         public int CellsLog2;
-        public int MaxPointsPerLeaf; // A leaf has about this many points that no node above has taken; see IsLeaf.
+        public int TargetPointsPerLeaf; // A leaf has about this many points that no node above has taken; see IsLeaf.
         public int MaxPointsPerNode; // At most StoreFormat.MaxPointsPerNode.
 
         /// <summary>Whether a cube becomes a leaf: if it has few points, of which nodes above take about a fifth, or if
@@ -33,12 +33,12 @@ namespace FastPoints.Nodes
         /// <param name="points">The number of its points.</param>
         /// <param name="cells">The number of cells with points, at the finest size that a node may have.</param>
         public readonly bool IsLeaf(int points, int cells) => points <= MaxPointsPerNode &&
-            (points <= MaxPointsPerLeaf / 4 * 5 || cells >= points - points / 4);
+            (points <= TargetPointsPerLeaf / 4 * 5 || cells >= points - points / 4);
 
         public static NodeSizes Default => new NodeSizes
         {
             CellsLog2 = 7,
-            MaxPointsPerLeaf = 20000,
+            TargetPointsPerLeaf = 20000,
             MaxPointsPerNode = StoreFormat.MaxPointsPerNode,
         };
     }
@@ -49,11 +49,11 @@ namespace FastPoints.Nodes
         public int End;
         public int Parent; // The nearest node above, or -1.
 
-        public int Count;
+        public int OwnCount; // Of the node's own points, which lie in that range among others.
         public byte SideLog2;
         public byte CellLog2;
         public bool IsLeaf;
-        public bool IsTop; // Whether it is the remainder of a chunk's top: see Store.NodeRecord.TopFlag.
+        public bool IsTopRemainder; // Of a merge: what upper nodes left of a chunk's top. See Store.NodeRecord.TopFlag.
     }
 
     /// <summary>A chunk's part in the merge: its top node's points in order, and whether anything is below them.

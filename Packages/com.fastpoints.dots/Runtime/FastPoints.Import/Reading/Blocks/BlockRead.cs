@@ -26,8 +26,7 @@ namespace FastPoints.Reading
         /// <summary>Completes when the columns are filled.</summary>
         public JobHandle Decoded { get; protected set; }
 
-        // Slots further ahead then occupy no more workers.
-        internal JobHandle Dependency { get; set; }
+        internal JobHandle Dependency { get; set; } // Slots further ahead then occupy no more workers.
 
         // What the range that begins next needs of remote files. The slot owns it from then on.
         internal RemoteFetch Fetched { get; set; }
@@ -140,8 +139,7 @@ namespace FastPoints.Reading
         // Ends and frees what is not owned. Also called if the constructor failed half-way.
         protected virtual void DisposeMore() { }
 
-        // The slot's read, if there is only one.
-        protected NativeFileRead FileRead { get; private set; }
+        protected NativeFileRead FileRead { get; private set; } // The slot's read, if there is only one.
 
         protected NativeFileRead OwnFile(long capacityBytes, Allocator allocator, int segments = 1) =>
             FileRead = Own(new NativeFileRead(capacityBytes, allocator, segments));

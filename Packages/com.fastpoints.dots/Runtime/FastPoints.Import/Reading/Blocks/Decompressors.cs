@@ -17,8 +17,7 @@ namespace FastPoints.Reading
     {
         public static Func<StreamDecompressor> Brotli { get; set; } = () => new BrotliStreamDecompressor();
 
-        // EPT of data type zstandard; null for none.
-        public static Func<StreamDecompressor> Zstandard { get; set; }
+        public static Func<StreamDecompressor> Zstandard { get; set; } // EPT of data type zstandard; null for none.
     }
 
     // Streams of one kind, one after the other and piece by piece. Jobs call it on any thread, but only one at a time.

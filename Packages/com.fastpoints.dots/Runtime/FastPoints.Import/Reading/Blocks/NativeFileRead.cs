@@ -85,7 +85,7 @@ namespace FastPoints.Reading
                     });
                 m_fetched = new RemoteFetch(pieces, 0);
             }
-            return m_fetched.IsDone;
+            return m_fetched.PollIsDone();
         }
 
         // Of a whole remote file.

@@ -37,8 +37,7 @@ namespace FastPoints.Reading
         public int Segments { get; private set; }
         public long BytesRead { get; private set; }
 
-        // In the time of ReadClock; Ended when the bytes had arrived.
-        internal long Begun { get; private set; }
+        internal long Begun { get; private set; } // In the time of ReadClock; Ended when the bytes had arrived.
 
         internal long Ended => m_ended.Value;
 

@@ -208,7 +208,7 @@ namespace FastPoints.Sources
                     m_parents.Clear();
                     return;
                 }
-                if (IsFull(m_recordAt))
+                if (WarnIfFull(m_recordAt))
                 {
                     m_parents.Clear();
                     Pages.Clear();

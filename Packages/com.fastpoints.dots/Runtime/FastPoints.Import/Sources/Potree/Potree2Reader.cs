@@ -194,7 +194,7 @@ namespace FastPoints.Sources
                 AddPage(level, cell, offset, bytes, where, isPageRoot);
                 return;
             }
-            if (IsFull(where))
+            if (WarnIfFull(where))
             {
                 m_nodesOfPage.Clear();
                 Pages.Clear();

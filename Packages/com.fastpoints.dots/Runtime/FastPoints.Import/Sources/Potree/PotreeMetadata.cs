@@ -140,11 +140,9 @@ namespace FastPoints.Sources
         public string OctreeFolder { get; }
         public int StepSize { get; }
 
-        // Names and counts, in versions up to 1.4; null if it is in files.
-        public List<object> Hierarchy { get; }
+        public List<object> Hierarchy { get; } // Names and counts, in versions up to 1.4; null if it is in files.
 
-        // "LAS" or "LAZ" if each node is a file; null for BIN.
-        public string NodeFormat { get; private set; }
+        public string NodeFormat { get; private set; } // "LAS" or "LAZ" if each node is a file; null for BIN.
 
         // Attributes of BIN nodes in order; null for an unknown name, whose length is unknown too.
         public List<PotreeAttribute> Attributes { get; } = new List<PotreeAttribute>();

@@ -21,8 +21,7 @@ namespace FastPoints.Sources
 
         private protected PotreeReader(SourceInfo info, BoundsGeo cube, double spacing) : base(info, cube, spacing) { }
 
-        // Null for nodes that are LAS or LAZ files.
-        internal abstract PotreeLayout Layout { get; }
+        internal abstract PotreeLayout Layout { get; } // Null for nodes that are LAS or LAZ files.
 
         private protected sealed override int BytesPerPoint => HasCheapRanges ? Layout.RecordBytes : 0;
 
@@ -31,8 +30,7 @@ namespace FastPoints.Sources
 
         internal sealed override string NameOf(int level, int3 cell) => PotreeNames.NameOf(level, cell);
 
-        // According to the hierarchy, as far as it has been read.
-        private protected long PointsClaimed { get; set; }
+        private protected long PointsClaimed { get; set; } // According to the hierarchy, as far as it has been read.
 
         public override long BytesOfRange(BlockRange range)
         {
@@ -83,11 +81,11 @@ namespace FastPoints.Sources
                 bytesPerPoint > 0 ? Math.Min(MaxBlockPoints, MaxBlockBytes / bytesPerPoint) : points, offset, bytes,
                 bytesPerPoint);
 
-        private protected bool IsFull(long next)
+        private protected bool WarnIfFull(long offset)
         {
             if (Tree.NodeCount < MaxNodes)
                 return false;
-            Info.Warn(next, "the hierarchy has more than " + NumberText.Of(MaxNodes) + " nodes: the others are left out");
+            Info.Warn(offset, "the hierarchy has more than " + NumberText.Of(MaxNodes) + " nodes: the others are left out");
             return true;
         }
     }

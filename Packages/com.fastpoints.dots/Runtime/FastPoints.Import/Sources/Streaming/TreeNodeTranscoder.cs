@@ -88,7 +88,7 @@ namespace FastPoints.Sources
         {
             if (m_fetched == null)
                 return true;
-            if (m_fetched.IsDone)
+            if (m_fetched.PollIsDone())
                 ScheduleDecode();
             return m_fetched == null;
         }

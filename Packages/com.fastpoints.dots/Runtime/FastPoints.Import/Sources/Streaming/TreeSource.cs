@@ -90,7 +90,7 @@ namespace FastPoints.Sources
 
         internal override FilePiece TableOf(int page) => new FilePiece { Path = Path };
 
-        public override bool PrepareBuild(int page) => m_pages.RequestPage(page);
+        public override bool TryPrepareBuild(int page) => m_pages.RequestPage(page);
 
         public override JobHandle ScheduleBuild(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
             NativeReference<TableProblem> problem) => m_pages.Schedule(JobFor(page, built, problem));

@@ -29,8 +29,7 @@ namespace FastPoints.Text
         public SourceInfo Info { get; }
         public PlyElement Vertex { get; }
 
-        // Null for lists, packed colours and padding.
-        public string[] Names { get; }
+        public string[] Names { get; } // Null for lists, packed colours and padding.
 
         public SourceHandle Handle { get; }
         public bool IsBigEndian => Header.Encoding == PlyEncoding.BinaryBigEndian;

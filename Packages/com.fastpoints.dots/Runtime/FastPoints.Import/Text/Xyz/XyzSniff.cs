@@ -33,8 +33,7 @@ namespace FastPoints.Text
         public long DataOffset { get; private set; }
         public int HeaderLines { get; private set; }
 
-        // The number that stands alone before the rows (PTS), or -1.
-        public long CountClaimed { get; private set; } = -1;
+        public long CountClaimed { get; private set; } = -1; // The number that stands alone before the rows (PTS), or -1.
 
         public string[] Names { get; private set; }
         public XyzColumn[] Columns { get; private set; }

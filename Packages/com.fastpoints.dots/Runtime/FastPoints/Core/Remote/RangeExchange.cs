@@ -39,8 +39,7 @@ namespace FastPoints
 
         public RemoteIdentity Identity { get; private set; }
 
-        // Bytes that will come: fewer than were asked for only at the file's end.
-        public long Count { get; private set; }
+        public long Count { get; private set; } // Bytes that will come: fewer than were asked for only at the file's end.
 
         public double SecondsToHeaders { get; private set; }
 
@@ -340,8 +339,7 @@ namespace FastPoints
                 throw new PointCloudException(FailureCode.NotFound, Address, -1, "is not an address");
         }
 
-        // For messages.
-        public string Address { get; }
+        public string Address { get; } // For messages.
 
         public string Server => m_uri.Scheme + "://" + m_uri.Authority;
         public volatile Uri Resolved; // Forgotten when it fails.
@@ -374,11 +372,9 @@ namespace FastPoints
 
         public bool CanRetry { get; set; }
 
-        // Another signature may help.
-        public bool IsDenied { get; set; }
+        public bool IsDenied { get; set; } // Another signature may help.
 
-        // Of another version than what was opened.
-        public bool IsChanged { get; set; }
+        public bool IsChanged { get; set; } // Of another version than what was opened.
 
         // No answer came at all.
         public bool IsUnreachable { get; set; }

@@ -50,8 +50,7 @@ namespace FastPoints
             return end > MaxHeadBytes ? RemoteFile.HeadBytes : (int)Math.Max(end, RemoteFile.HeadBytes);
         }
 
-        // Of the first piece that failed, once all are done.
-        public PointCloudException Failure { get; private set; }
+        public PointCloudException Failure { get; private set; } // Of the first piece that failed, once all are done.
 
         // Of all pieces; a whole file counts once it is opened.
         public long Bytes
@@ -65,15 +64,13 @@ namespace FastPoints
             }
         }
 
-        public bool IsDone
+        // Begins the reads of files that were opened meanwhile.
+        public bool PollIsDone()
         {
-            get
-            {
-                bool isDone = true;
-                foreach (var fetch in m_fetches)
-                    isDone &= Poll(fetch);
-                return isDone;
-            }
+            bool isDone = true;
+            foreach (var fetch in m_fetches)
+                isDone &= Poll(fetch);
+            return isDone;
         }
 
         bool Poll(Fetch fetch)
@@ -181,7 +178,7 @@ namespace FastPoints
         {
             while (m_next < m_end && m_begun.Count < MaxReads && BytesBegun < MaxBytes)
                 Begin(m_next++);
-            return m_begun.Count == 0 || m_begun.Peek().IsDone;
+            return m_begun.Count == 0 || m_begun.Peek().PollIsDone();
         }
 
         long BytesBegun

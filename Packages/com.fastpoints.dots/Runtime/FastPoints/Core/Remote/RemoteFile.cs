@@ -19,19 +19,15 @@ namespace FastPoints
         // Who opens addresses: HttpFile of web servers, AssetFile of Android's streaming assets. They register themselves.
         public static IRemoteFiles Files, Assets;
 
-        // For messages: signatures are left out.
-        public abstract string Name { get; }
+        public abstract string Name { get; } // For messages: signatures are left out.
 
         public abstract long Length { get; }
 
-        // Another value, another version of the file.
-        public abstract string Identity { get; }
+        public abstract string Identity { get; } // Another value, another version of the file.
 
-        // Without, only another length tells that it is another file.
-        public abstract bool HasVersion { get; }
+        public abstract bool HasVersion { get; } // Without, only another length tells that it is another file.
 
-        // Seconds that an answer takes to begin; 0 if none was seen yet.
-        public abstract double RoundTrip { get; }
+        public abstract double RoundTrip { get; } // Seconds that an answer takes to begin; 0 if none was seen yet.
 
         // Waits: on pool threads and in the command line alone. headBytes: so many of a new file come with it.
         public static RemoteFile Open(string address, int headBytes = HeadBytes) => FilesFor(address).Open(address, headBytes);
@@ -112,8 +108,7 @@ namespace FastPoints
 
     internal interface IRangeSource
     {
-        // For messages.
-        string Name { get; }
+        string Name { get; } // For messages.
 
         // Fills the buffer from its start. arrived is called with the number of bytes so far; it returns whether more are wanted.
         Task Fetch(long offset, long count, byte[] into, Func<int, bool> arrived);
@@ -155,8 +150,7 @@ namespace FastPoints
 
         public IRangeSource File { get; }
 
-        // What has the lowest rank is fetched first. It may change while the read waits.
-        public int Rank { get; set; }
+        public int Rank { get; set; } // What has the lowest rank is fetched first. It may change while the read waits.
 
         public bool IsDone => m_isDone;
         public bool IsCancelled => m_isCancelled;

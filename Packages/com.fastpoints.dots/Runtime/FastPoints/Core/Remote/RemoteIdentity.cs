@@ -15,11 +15,9 @@ namespace FastPoints
 
         public long Length { get; }
 
-        // ETag, as the server writes it; empty for none.
-        public string Tag { get; }
+        public string Tag { get; } // ETag, as the server writes it; empty for none.
 
-        // Last-Modified, likewise.
-        public string Modified { get; }
+        public string Modified { get; } // Last-Modified, likewise.
 
         // An answer may lack what another has; the length always counts.
         public bool Fits(RemoteIdentity other) => Length == other.Length && (Tag.Length > 0 && other.Tag.Length > 0

@@ -404,8 +404,8 @@ namespace FastPoints.Drawing
             if (UpAxis != UpAxis.Z)
                 return;
             double across = math.max(Robust.Size.x, Robust.Size.y);
-            bool isOnEarth = CloudUnits.IsOnEarth(Robust.Min) && CloudUnits.IsOnEarth(Robust.Max);
-            if (!isOnEarth || !IsInDegrees && !(across > 0 && Robust.Size.z > MaxHeightPerDegree * across))
+            bool couldBeDegrees = CloudUnits.CouldBeDegrees(Robust.Min) && CloudUnits.CouldBeDegrees(Robust.Max);
+            if (!couldBeDegrees || !IsInDegrees && !(across > 0 && Robust.Size.z > MaxHeightPerDegree * across))
                 return;
             double latitude = math.min(89, math.abs(math.round(Robust.Center.y)));
             LengthsPerUnit = new CloudUnits(double.NaN, Units.Vertical).MetresAt(new double3(0, latitude, 0), UpAxis);

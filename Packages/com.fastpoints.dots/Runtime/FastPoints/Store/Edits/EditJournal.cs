@@ -53,6 +53,7 @@ namespace FastPoints.Store
         const int MaxBytes = 1 << 30;
 
         static int s_writes;
+        static volatile Tuple<string, EditOperation> s_draft; // By the journal's path.
 
         readonly string m_path;
         readonly ulong m_cloudId;
@@ -64,6 +65,21 @@ namespace FastPoints.Store
 
         // By this process, to any: whoever shows a cloud looks at its own again when the number rises. Any thread.
         public static int Writes => Volatile.Read(ref s_writes);
+
+        // What is drawn with the brush at this moment, if anything: the cloud is shown with it, until it is written. Any thread.
+        public static EditOperation DraftOf(string cloud)
+        {
+            var draft = s_draft;
+            return draft?.Item1 == PathOf(cloud) ? draft.Item2 : null;
+        }
+
+        // In place of any other; null for none.
+        public static void SetDraft(string cloud, EditOperation draft)
+        {
+            s_draft = Tuple.Create(PathOf(cloud), draft);
+            Interlocked.Increment(ref s_writes);
+        }
+
         public IReadOnlyList<EditOperation> Operations => m_operations; // In their order; those from Count on are undone.
 
         public int Count { get; private set; }
@@ -200,6 +216,8 @@ namespace FastPoints.Store
             }
             m_wholeBytes = m_fileBytes;
             Apply(kind, text);
+            if (s_draft?.Item1 == m_path)
+                s_draft = null;
             Interlocked.Increment(ref s_writes);
         }
 

@@ -32,10 +32,10 @@ namespace FastPoints.Store
         }
 
         public IReadOnlyList<EditOperation> Operations { get; }
+        public EditOperation Last => Operations[Operations.Count - 1];
         public CloudManifest Manifest { get; }
 
-        // The position in whole steps, and the attributes that operations read or change.
-        public PointSchema Schema { get; }
+        public PointSchema Schema { get; } // The position in whole steps, and the attributes that operations read or change.
 
         public PointSchema Changed => Manifest.Attributes.Select(m_changed.ToArray());
 
@@ -83,12 +83,12 @@ namespace FastPoints.Store
         }
 
         // Those of a finished cloud; null too where they are refused: then it is shown as stored.
-        public static EditPlan Of(CloudFolder folder, out PointCloudException refused)
+        public static EditPlan Of(CloudFolder folder, out PointCloudException refused, EditOperation draft = null)
         {
             refused = null;
             try
             {
-                return folder.IsUnfinished ? null : Of(folder.FolderPath, folder.Manifest);
+                return folder.IsUnfinished ? null : Of(folder.FolderPath, folder.Manifest, draft);
             }
             catch (PointCloudException e)
             {
@@ -102,7 +102,7 @@ namespace FastPoints.Store
         // How many points of a node and its inlined leaves the last operation surely changes: none or all, or perhaps some.
         public EditReach ReachOf(in NodeRecord node)
         {
-            var last = Operations[Operations.Count - 1];
+            var last = Last;
             if (!last.MayReach(EditShape.Of(node.Cube)))
                 return EditReach.None;
             if (last.ChangedAttributes.Length > 0 || last.Conditions.Count > 0 || last.Prism.IsUsed)

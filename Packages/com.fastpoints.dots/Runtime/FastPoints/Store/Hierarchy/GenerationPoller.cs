@@ -69,11 +69,9 @@ namespace FastPoints.Store
 
         public CloudFolder Newest => m_newest;
 
-        // Of the generation that was kept last, as it was opened; null for none.
-        public EditPlan Edits { get; private set; }
+        public EditPlan Edits { get; private set; } // Of the generation that was kept last, as it was opened; null for none.
 
-        // Why its edits are not applied, or null.
-        public PointCloudException Refused { get; private set; }
+        public PointCloudException Refused { get; private set; } // Why its edits are not applied, or null.
 
         public CloudFolder Take()
         {
@@ -164,7 +162,7 @@ namespace FastPoints.Store
 
         static Edited EditsOf(CloudFolder folder)
         {
-            var plan = EditPlan.Of(folder, out var refused);
+            var plan = EditPlan.Of(folder, out var refused, EditJournal.DraftOf(folder.FolderPath));
             return new Edited { Plan = plan, Hash = plan?.Hash ?? 0, Refused = refused };
         }
 

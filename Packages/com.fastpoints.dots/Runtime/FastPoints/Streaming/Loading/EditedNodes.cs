@@ -28,8 +28,7 @@ namespace FastPoints.Streaming
         const int NotEdited = -1;
         const int Empty = -2; // Reached, though without planes of its own.
 
-        // Of prisms at nodes of a page: some ms. Other nodes are made anew, changed or not.
-        const int MaxTries = 4096;
+        const int MaxTries = 4096; // Of prisms at nodes of a page: some ms. Other nodes are made anew, changed or not.
 
         readonly CloudFolder m_folder;
         readonly bool[] m_isChanged; // By Planes.

@@ -26,8 +26,7 @@ namespace FastPoints.Streaming
 
         public List<NodeFetch> Fetches => m_fetches;
 
-        // Whether the pool had none for what the last frame chose.
-        public bool LacksRoom { get; private set; }
+        public bool LacksRoom { get; private set; } // Whether the pool had none for what the last frame chose.
 
         public int InFlightCount
         {
@@ -112,7 +111,7 @@ namespace FastPoints.Streaming
                 if (tables >= MaxTables(missing) || !TryFindIdle(out var fetch))
                     break;
                 if (page->Status != HierarchyPageStatus.Absent || !m_state.IsDue(page->RetryFrame) ||
-                    FolderReleases.IsReleased(cloud.Source.Path) || !cloud.Source.PrepareBuild(missing.Page))
+                    FolderReleases.IsReleased(cloud.Source.Path) || !cloud.Source.TryPrepareBuild(missing.Page))
                     continue;
                 page->Status = HierarchyPageStatus.Loading;
                 fetch.BeginTable(++m_count, cloud, missing.Page, rank);

@@ -22,7 +22,7 @@ namespace FastPoints.Streaming
             var floor = boundsGeo.Center;
             floor[up.Index()] = (up.IsNegative() ? boundsGeo.Max : boundsGeo.Min)[up.Index()];
             var rounded = math.round(floor);
-            if (units.IsInDegrees && CloudUnits.IsOnEarth(floor))
+            if (units.IsInDegrees && CloudUnits.CouldBeDegrees(floor))
                 rounded.xy = (math.round(floor * 1000) / 1000).xy;
             return new UnityLocalSpace
             {

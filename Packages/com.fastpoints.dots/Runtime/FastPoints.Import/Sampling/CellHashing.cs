@@ -8,9 +8,9 @@ using Unity.Mathematics;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>Tracks which cubic cells of space hold a point, by their hash. Blittable, for jobs.</summary>
+    /// <summary>Marks cubic cells of space that hold a point, by their hash, in a table of bits that its user has.</summary>
     /// <remarks>Two cells may share a bit: with a million occupied ones, 3 % of cells count as occupied too soon.</remarks>
-    internal struct OccupiedCells
+    internal struct CellHashing
     {
         const int BitsLog2 = 25;
         public const int Words = 1 << BitsLog2 - 6; // Words of the table: 4 MiB.
@@ -40,7 +40,7 @@ namespace FastPoints.Sampling
     /// <summary>Appends, from decoded points, the first one of each empty cell: a cell with neither a stratum's point
     /// nor an appended one. These jobs must run one after the other.</summary>
     [BurstCompile]
-    struct KeepEmptyCellsJob : IJob
+    struct AppendPlaceholdersJob : IJob
     {
         const int BatchLength = ColumnValues.BatchLength;
 
@@ -52,10 +52,10 @@ namespace FastPoints.Sampling
         public int End;
         public PositionColumns Positions;
         public PositionTransform Transform;
-        public long FirstPoint; // Index of the block's first point in the whole source.
+        public long RangeFirstPoint; // Index in the whole source of the point from which First counts.
         public SampleStrata Strata; // Empty if the points belong to no range.
 
-        public OccupiedCells Cells;
+        public CellHashing Cells;
         public NativeArray<ulong> Table;
 
         /// <summary>May be the points themselves, if they are kept from the first on.</summary>
@@ -103,8 +103,8 @@ namespace FastPoints.Sampling
 
         unsafe void MarkChosen(byte* block, ulong* table, int endOfRange, double* x, double* y, double* z)
         {
-            long begin = FirstPoint + First;
-            long end = math.min(FirstPoint + endOfRange, Strata.Points);
+            long begin = RangeFirstPoint + First;
+            long end = math.min(RangeFirstPoint + endOfRange, Strata.Points);
             if (Strata.Count == 0 || end <= begin)
                 return;
             int last = Strata.StratumOf(end - 1);
@@ -113,7 +113,7 @@ namespace FastPoints.Sampling
                 long point = Strata.Chosen(stratum);
                 if (point < begin || point >= end)
                     continue;
-                Positions.Load(block, (int)(point - FirstPoint), 1, x, y, z);
+                Positions.Load(block, (int)(point - RangeFirstPoint), 1, x, y, z);
                 Transform.ToGeo(1, x, y, z);
                 if (PositionBounds.IsFinite(*x, *y, *z))
                     Cells.Mark(table, *x, *y, *z);
@@ -134,7 +134,7 @@ namespace FastPoints.Sampling
         public int First;
         public int End;
 
-        public OccupiedCells Cells;
+        public CellHashing Cells;
         public NativeArray<ulong> Table; // Cleared before the first entry.
 
         public unsafe void Execute()

@@ -1,7 +1,7 @@
 namespace FastPoints.Cli;
 
 /// <summary>Names of files that are not UTF-8, which Linux allows but .NET cannot open.</summary>
-static partial class FileNames
+static partial class NonUtf8Names
 {
     const int ReadOnly = 0, CloseOnExec = 0x80000;
 
@@ -33,7 +33,7 @@ static partial class FileNames
         }).ToArray();
     }
 
-    public static bool IsLink(string path) => s_links != null && path.StartsWith(s_links, StringComparison.Ordinal);
+    public static bool IsTemporaryLink(string path) => s_links != null && path.StartsWith(s_links, StringComparison.Ordinal);
 
     public static void DeleteLinks()
     {

@@ -6,12 +6,12 @@ using Unity.Jobs;
 
 namespace FastPoints.Sampling
 {
-    /// <summary>Takes a uniform sample by scanning all points, stratified in file order: the reference for quicker samplers. It
+    /// <summary>Scans all points, and takes one of each stratum in file order: the reference for quicker samplers. The sample
     /// has exactly min(wanted, all) points, the same ones for any number of threads and slots.</summary>
     /// <remarks>After Schütz, Mandlburger, Otepka, Wimmer, "Progressive real-time rendering of one billion points without
     /// hierarchical acceleration structures", 2020, whose shuffled order this replaces with a hashed position in each
     /// stratum.</remarks>
-    internal sealed class UniformSampler : IBlockConsumer, IDisposable
+    internal sealed class FileOrderSampler : IBlockConsumer, IDisposable
     {
         readonly PointReader m_reader;
         readonly PointSchema m_schema;
@@ -22,7 +22,7 @@ namespace FastPoints.Sampling
         long m_bytesRead;
         PreviewSample m_sample;
 
-        public UniformSampler(PointReader reader, int wanted, uint seed)
+        public FileOrderSampler(PointReader reader, int wanted, uint seed)
         {
             m_reader = reader;
             m_schema = SampleSchema.Of(reader.Info);

@@ -5,18 +5,17 @@ namespace FastPoints.Cli.Cluster;
 
 /// <summary>Where tasks put what they make, and find what others made: a folder that all of them see, or a bucket of S3's
 /// interface. Objects have names with slashes; each is there as a whole, or not at all. Any thread.</summary>
-abstract class TaskStore : IDisposable
+abstract class ObjectStore : IDisposable
 {
     public const string WorkFolder = "work/";
 
-    protected TaskStore(string name) => Name = name;
+    protected ObjectStore(string name) => Name = name;
 
-    /// <summary>As in the plan, for messages.</summary>
-    public string Name { get; }
+    public string Name { get; } // As in the plan, for messages.
 
     public abstract int Lanes { get; }
 
-    public static TaskStore Open(string name) => S3Addresses.IsS3(name) ? new S3Store(name) : new FolderStore(name);
+    public static ObjectStore Open(string name) => S3Addresses.IsS3(name) ? new S3Store(name) : new FolderStore(name);
 
     /// <summary>Puts a file, in place of one that may be there.</summary>
     public abstract void Put(string name, string path);
@@ -27,23 +26,22 @@ abstract class TaskStore : IDisposable
 
     /// <summary>A file with an object's bytes: that of the store itself, or a copy.</summary>
     /// <param name="folder">For copies.</param>
-    public abstract string Fetch(string name, string folder);
+    public abstract string EnsureLocal(string name, string folder);
 
     public abstract IEnumerable<(string Name, long Bytes)> List(string prefix);
 
     public abstract void Delete(IEnumerable<string> names);
 
-    /// <summary>Where the cloud is read when it is complete.</summary>
-    public abstract string CloudPath { get; }
+    public abstract string CloudPath { get; } // Where the cloud is read when it is complete.
 
     /// <summary>Folders that a cloud has, if there is anything in them or not.</summary>
     public virtual void MakeFolders(params ReadOnlySpan<string> names) { }
 
     public virtual void Dispose() { }
 
-    public void PutText(string name, string text, string folder)
+    public void PutText(string name, string text, string scratchFolder)
     {
-        string path = Path.Combine(folder, name.Replace('/', '-'));
+        string path = Path.Combine(scratchFolder, name.Replace('/', '-'));
         OutputFile.Write(path, Encoding.UTF8.GetBytes(text));
         Put(name, path);
     }
