@@ -194,7 +194,7 @@ public sealed class PointCloudGroundTests : ScratchTests
         Place(m_cloud, Scaled(0.21f));
         var ground = m_entities.GetComponentData<PointCloudGround>(m_cloud);
         m_entities.RemoveComponent<PointCloudGround>(m_cloud); // It would be tried again five seconds later.
-        m_world.Update();
+        m_physics.Update();
         m_entities.AddComponentData(m_cloud, ground);
         Put(-12 * 0.21f);
         Assert.That(Bodies(), Is.Not.Empty);
