@@ -68,7 +68,7 @@ public sealed class EditToolTests : SceneToolFixture
                     Frames(() => tool.Session.Stroke.Count > 0);
                 Send(tool, view, new Event { type = EventType.Repaint });
                 if (type == EventType.MouseDrag)
-                    WaitForDraft(tool.Session, EditAction.Color);
+                    WaitForDraft(tool.Session, 128);
             }
             WaitForEdits(1);
             Assert.That(tool.Session.Note, Is.Null);
@@ -95,21 +95,22 @@ public sealed class EditToolTests : SceneToolFixture
     }
 
     /// <summary>Those that are to be deleted are marked, so that the next pick does not go through them.</summary>
-    void WaitForDraft(EditSession session, EditAction action)
+    void WaitForDraft(EditSession session, byte green)
     {
         WaitForEdits(0, () => Shown.Edits?.Last.Balls.Count == session.Stroke.Count);
-        Assert.That((Shown.Edits.Last.Action, Shown.Edits.Last == EditJournal.DraftOf(m_path)), Is.EqualTo((action, true)));
+        Assert.That((Shown.Edits.Last.Action, Shown.Edits.Last.Value), Is.EqualTo((EditAction.Color, new byte[] { 255, green, 0 })));
+        Assert.That(EditJournal.DraftAt(EditJournal.PathOf(m_path)), Is.SameAs(Shown.Edits.Last));
     }
 
     [TestCase(false)]
     [TestCase(true)]
     public void EditSession_Stroke_IsShownAsItGrowsAndGoesWithEscapeOrWhereItCannotBeWritten(bool isEnded)
     {
-        using var session = new EditSession { Action = EditAction.Classify, Class = 17, Radius = 3 };
+        using var session = new EditSession { Action = EditAction.Color, Radius = 3 };
         Drag(session, Down());
-        WaitForDraft(session, EditAction.Classify);
+        WaitForDraft(session, 0);
         Drag(session, Down(east: 20));
-        WaitForDraft(session, EditAction.Classify);
+        WaitForDraft(session, 0);
         Assert.That(session.Stroke.Count, Is.EqualTo(2));
         var logged = new List<string>();
         Debug.s_sink = (type, text) => logged.Add(text);
@@ -127,8 +128,33 @@ public sealed class EditToolTests : SceneToolFixture
             {
                 Debug.s_sink = null;
             }
-        Assert.That(EditJournal.DraftOf(m_path), Is.Null);
+        Assert.That(EditJournal.DraftAt(EditJournal.PathOf(m_path)), Is.Null);
         Assert.That(logged, isEnded ? Has.One.Contains("is being written by") : Is.Empty);
+    }
+
+    /// <summary>Classes are not drawn here: nothing is made to show them. Notes of picks stay.</summary>
+    [Test]
+    public void EditSession_StrokeOfWhatIsNotDrawn_HasNoDraft()
+    {
+        using var session = new EditSession { Action = EditAction.Classify, Class = 17, Radius = 3 };
+        Drag(session, Down());
+        session.Update(10);
+        Assert.That(EditJournal.DraftAt(EditJournal.PathOf(m_path)), Is.Null);
+    }
+
+    [Test]
+    public void EditModeFrames_Draft_AsksForAFrame()
+    {
+        var group = m_world.GetExistingSystemManaged<PointCloudSystemGroup>();
+        Frames(() => !group.NeedsFrame);
+        EditModeFrames.Update();
+        EditorApplication.TakeUpdate();
+        EditModeFrames.Update();
+        Assert.That(EditorApplication.TakeUpdate(), Is.False);
+        EditJournal.SetDraft(EditJournal.PathOf(m_path), new EditOperation());
+        EditModeFrames.Update();
+        EditJournal.SetDraft(null, null);
+        Assert.That(EditorApplication.TakeUpdate(), Is.True);
     }
 
     void Drag(EditSession session, PointQuery ray)

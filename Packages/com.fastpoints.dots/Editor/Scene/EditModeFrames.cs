@@ -14,6 +14,7 @@ namespace FastPoints.Editor
         static readonly TimeSpan s_pollInterval = TimeSpan.FromSeconds(1);
 
         static int s_requested;
+        static int s_edits; // Clouds notice them in frames.
         static DateTime s_polled;
 
         static EditModeFrames()
@@ -29,7 +30,8 @@ namespace FastPoints.Editor
         public static void Update()
         {
             var group = PointCloudSystemGroup.ObjectGroup;
-            bool needsFrame = group != null && (group.NeedsFrame || IsPollDue(group));
+            bool needsFrame = group != null && (group.NeedsFrame || IsPollDue(group) || s_edits != EditJournal.Changes);
+            s_edits = EditJournal.Changes;
             if (EditorApplication.isPlaying)
             {
                 if (EditorApplication.isPaused && needsFrame)

@@ -34,8 +34,9 @@ namespace FastPoints.Editor
 
         public static bool IsBusy => s_running != null || s_waiting.Count > 0;
 
-        public static void Begin(string cloud, EditOperation operation, string name) =>
-            s_waiting.Enqueue((cloud, Run(cloud, operation, name)));
+        // The draft is shown until the operation is.
+        public static void Begin(string cloud, EditOperation operation, EditOperation draft, string name) =>
+            s_waiting.Enqueue((cloud, Run(cloud, operation, draft, name)));
 
         static void Update()
         {
@@ -54,17 +55,24 @@ namespace FastPoints.Editor
                 Debug.LogError("FastPoints: " + PointCloudException.Of(s_cloud, e).FullMessage);
             }
             s_running = null;
-            if (EditJournal.DraftOf(s_cloud) != null)
-                EditJournal.SetDraft(s_cloud, null); // It changed nothing, or failed.
             EditModeFrames.RequestFrame();
         }
 
-        static IEnumerator<JobStep> Run(string cloud, EditOperation operation, string name)
+        static IEnumerator<JobStep> Run(string cloud, EditOperation operation, EditOperation draft, string name)
         {
             int before = 0, after = 0;
-            yield return JobStep.Of(PoolTask.Run(cloud, () => EditCloud.GoTo(cloud, -1), count => before = count));
-            yield return JobStep.Of(EditCloud.Run(cloud, operation, null));
-            yield return JobStep.Of(PoolTask.Run(cloud, () => EditCloud.GoTo(cloud, -1), count => after = count));
+            try
+            {
+                yield return JobStep.Of(PoolTask.Run(cloud, () => EditCloud.GoTo(cloud, -1), count => before = count));
+                yield return JobStep.Of(EditCloud.Run(cloud, operation, null));
+                yield return JobStep.Of(PoolTask.Run(cloud, () => EditCloud.GoTo(cloud, -1), count => after = count));
+            }
+            finally
+            {
+                // It changed nothing, or failed.
+                if (draft != null && EditJournal.DraftAt(EditJournal.PathOf(cloud)) == draft)
+                    EditJournal.SetDraft(null, null);
+            }
             if (after == before)
                 yield break;
             var applied = AppliedEditCounts.instance;

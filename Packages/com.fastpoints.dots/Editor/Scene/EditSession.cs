@@ -4,6 +4,7 @@ using FastPoints.Entities;
 using FastPoints.Queries;
 using FastPoints.Store;
 using FastPoints.Streaming;
+using Unity.Entities;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -14,13 +15,17 @@ namespace FastPoints.Editor
     /// coloured; those to delete or hide marked, since the pointer would pick what lies behind them.</summary>
     internal sealed class EditSession : IDisposable
     {
+        const double DraftSeconds = 0.1;
+
         static readonly byte[] s_mark = { 255, 128, 0 };
 
         readonly ScenePicker m_picker = new ScenePicker();
         readonly List<StreamPick> m_stroke = new List<StreamPick>();
-        Unity.Entities.Entity m_entity; // Of the stroke.
+        Entity m_entity; // Of the stroke.
+        string m_journal; // Of its cloud.
         EditOperation m_draft; // What is shown of it; null if nothing can be.
         int m_draftLength;
+        double m_nextDraft; // Not before: the picker opens each state anew.
         PointQuery m_next;
         bool m_hasNext;
         bool m_isEnding;
@@ -48,7 +53,7 @@ namespace FastPoints.Editor
         public void ClearStroke()
         {
             if (m_draft != null)
-                EditJournal.SetDraft(m_stroke[0].Path, null);
+                EditJournal.SetDraft(null, null);
             m_stroke.Clear();
             (m_hasNext, m_isEnding, m_draft, m_draftLength) = (false, false, null, 0);
         }
@@ -132,8 +137,12 @@ namespace FastPoints.Editor
             if (m_stroke.Count > 0 && math.distance(m_stroke[m_stroke.Count - 1].Point.PositionWorld, pick.Point.PositionWorld) <
                 Radius / 16)
                 return false;
-            if (m_stroke.Count == 0)
-                m_entity = m_picker.EntityOf(pick.Cloud);
+            if (m_stroke.Count == 0 && (m_entity = m_picker.EntityOf(pick.Cloud)) == Entity.Null)
+            {
+                m_hasNext = !m_isEnding; // Another state was shown meanwhile.
+                return false;
+            }
+            m_journal = m_stroke.Count == 0 ? EditJournal.PathOf(pick.Path) : m_journal;
             m_stroke.Add(pick);
             return true;
         }
@@ -150,18 +159,41 @@ namespace FastPoints.Editor
         void ShowStroke()
         {
             var shown = FindShown();
-            if (!CanEdit(shown))
+            if (!IsEditable(shown))
                 return;
             var source = (FolderSource)shown.Source;
-            bool isThere = EditJournal.DraftOf(source.Folder.FolderPath) == m_draft;
-            if (isThere && (m_draftLength == m_stroke.Count || m_draft != null && source.Edits?.Last != m_draft))
+            bool isThere = EditJournal.DraftAt(m_journal) == m_draft;
+            double now = Time.realtimeSinceStartupAsDouble;
+            if (m_draftLength == m_stroke.Count)
+            {
+                if (!isThere && m_draft != null)
+                    EditJournal.SetDraft(m_journal, m_draft); // What was written meanwhile took it away.
+                return;
+            }
+            if (now < m_nextDraft || isThere && m_draft != null && source.Edits?.Last != m_draft)
                 return;
             var draft = AddStroke(shown, NewOperation());
-            if (Action < EditAction.Classify)
+            if (Action < EditAction.Classify || Action == EditAction.Classify && IsHidden(Class))
                 (draft.Action, draft.Value) = (EditAction.Color, s_mark);
-            m_draftLength = m_stroke.Count;
-            if (EditPlan.FindProblem(draft, source.Folder.Manifest) == null)
-                EditJournal.SetDraft(source.Folder.FolderPath, m_draft = draft);
+            (m_draftLength, m_nextDraft) = (m_stroke.Count, now + DraftSeconds);
+            if (Shows(source, draft.ChangedAttributes[0]) && EditPlan.FindProblem(draft, source.Folder.Manifest) == null)
+                EditJournal.SetDraft(m_journal, m_draft = draft);
+        }
+
+        bool IsHidden(byte pointClass)
+        {
+            var entities = PointCloudSystemGroup.ObjectGroup.World.EntityManager;
+            return entities.HasComponent<PointCloudLook>(m_entity) &&
+                entities.GetComponentData<PointCloudLook>(m_entity).Value.HiddenClasses.Has(pointClass);
+        }
+
+        static bool Shows(FolderSource source, string attribute)
+        {
+            foreach (int p in source.Planes)
+                for (int c = 0; c < source.Layout.Planes[p].ColumnCount; c++)
+                    if (source.Layout.NameOfColumn(source.Layout.Planes[p], source.Layout.Planes[p].FirstColumn + c) == attribute)
+                        return true;
+            return false;
         }
 
         EditOperation AddStroke(StreamedCloud shown, EditOperation operation)
@@ -184,12 +216,13 @@ namespace FastPoints.Editor
 
         bool CanEdit(StreamedCloud shown)
         {
-            bool canEdit = shown?.Source is FolderSource stored && !stored.Folder.IsUnfinished &&
-                !SourcePath.IsRemote(stored.Folder.FolderPath);
             Note = shown == null ? "the cloud is not shown"
-                : canEdit ? null : "only converted clouds on this machine can be edited";
+                : IsEditable(shown) ? null : "only converted clouds on this machine can be edited";
             return Note == null;
         }
+
+        static bool IsEditable(StreamedCloud shown) => shown?.Source is FolderSource stored && !stored.Folder.IsUnfinished &&
+            !SourcePath.IsRemote(stored.Folder.FolderPath);
 
         EditOperation NewOperation() => new EditOperation
         {
@@ -206,7 +239,7 @@ namespace FastPoints.Editor
             var folder = ((FolderSource)shown.Source).Folder;
             Note = EditPlan.FindProblem(operation, folder.Manifest);
             if (Note == null)
-                EditQueue.Begin(folder.FolderPath, operation, "Edit points");
+                EditQueue.Begin(folder.FolderPath, operation, m_draft, "Edit points");
             return Note == null;
         }
     }

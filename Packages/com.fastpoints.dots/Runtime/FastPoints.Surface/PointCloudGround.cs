@@ -200,8 +200,9 @@ namespace FastPoints.Surface
         {
             var linear = LinearOf(toWorld);
             var lengths = new double3(math.length(linear.c0), math.length(linear.c1), math.length(linear.c2));
-            double edge = made.VoxelSize * math.sqrt(lengths.x * lengths.y * lengths.z / math.cmax(lengths));
-            return !(edge > 0 && edge < MinVoxelMetres) ? null : "voxels of " + NumberText.Of(Math.Round(edge, 4)) +
+            double edge = GridOf(made.VoxelSize, made.HoleSize).VoxelMetres *
+                math.sqrt(lengths.x * lengths.y * lengths.z / math.cmax(lengths));
+            return !(edge > 0 && edge < 0.999 * MinVoxelMetres) ? null : "voxels of " + NumberText.Of(Math.Round(edge, 4)) +
                 " m in the world are too small for com.unity.physics: wanted at least " + NumberText.Of(MinVoxelMetres) + " m";
         }
 

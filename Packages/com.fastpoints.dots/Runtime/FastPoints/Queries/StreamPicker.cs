@@ -51,7 +51,7 @@ namespace FastPoints.Queries
             for (int c = 0; c < stream.Clouds.Count; c++)
             {
                 var cloud = stream.Clouds[c];
-                if (cloud == null || cloud.IsRemoving || !ray.Mask.Shows(cloud.Placement.Visibility) ||
+                if (cloud == null || cloud.IsRemoving || cloud.IsReplacement || !ray.Mask.Shows(cloud.Placement.Visibility) ||
                     isSearched != null && !isSearched(c))
                     continue;
                 m_targets.Add(new Target

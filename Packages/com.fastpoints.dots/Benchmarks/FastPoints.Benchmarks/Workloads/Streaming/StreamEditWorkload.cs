@@ -12,24 +12,28 @@ using Unity.Collections;
 namespace FastPoints.Benchmarks
 {
     /// <summary>An edit of a cloud that is shown, until it is shown as edited; then it is undone. A box deletes half of the
-    /// cloud, five million points being shown; or a brush of 20 balls hides points in the middle of a million.</summary>
+    /// cloud, five million points being shown; or a brush of 20 balls hides points in the middle of a million, or shows them ball
+    /// after ball as the Scene view's does, with nothing written.</summary>
     sealed class StreamEditWorkload : IWorkload
     {
         const long PoolBytes = 1L << 30;
         const int Balls = 20;
 
-        readonly bool m_isBrush;
+        readonly bool m_isBrush, m_isStroke;
         string m_path;
         NativeArray<StreamView> m_views;
         StreamContext m_stream;
         CloudVersions m_versions;
         double m_longestMs;
 
-        StreamEditWorkload(bool isBrush) => m_isBrush = isBrush;
+        StreamEditWorkload(bool isBrush, bool isStroke) => (m_isBrush, m_isStroke) = (isBrush, isStroke);
 
-        public static IEnumerable<IWorkload> All() => new[] { new StreamEditWorkload(false), new StreamEditWorkload(true) };
+        public static IEnumerable<IWorkload> All() => new[]
+        {
+            new StreamEditWorkload(false, false), new StreamEditWorkload(true, false), new StreamEditWorkload(true, true),
+        };
 
-        public string Name => m_isBrush ? "stream edit brush" : "stream edit box";
+        public string Name => m_isStroke ? "stream edit stroke" : m_isBrush ? "stream edit brush" : "stream edit box";
         public string LimitName => null;
 
         public void Prepare(WorkloadContext context)
@@ -49,8 +53,20 @@ namespace FastPoints.Benchmarks
         {
             m_longestMs = 0;
             var operation = NewOperation();
-            double strokeMs = m_isBrush ? Stroke(operation) : 0;
             var watch = Stopwatch.StartNew();
+            for (int balls = 1; m_isStroke && balls <= Balls; balls++)
+            {
+                var draft = new EditOperation { Action = EditAction.Color, Value = new byte[] { 255, 128, 0 } };
+                draft.Balls.AddRange(operation.Balls.GetRange(0, balls));
+                Show(draft);
+            }
+            if (m_isStroke)
+                return new WorkloadResult
+                {
+                    Points = Balls,
+                    Note = "a ball is shown after " + NumberText.Of(Math.Round(watch.Elapsed.TotalMilliseconds / Balls)) +
+                        " ms; longest frame of the main thread " + NumberText.Of(Math.Round(m_longestMs, 1)) + " ms",
+                };
             JobCoroutine.RunToEnd(EditCloud.Run(m_path, operation, null));
             double counted = watch.Elapsed.TotalMilliseconds;
             Show();
@@ -62,9 +78,8 @@ namespace FastPoints.Benchmarks
             {
                 Points = operation.PointsChanged,
                 Note = string.Format(CultureInfo.InvariantCulture, "{0:N0} points: written down after {1:0} ms, shown after " +
-                    "{2:0} ms; undone and shown in {3:0} ms; longest frame of the main thread {4:0.0} ms" +
-                    (m_isBrush ? "; each ball of the stroke shown after {5:0} ms" : ""),
-                    operation.PointsChanged, counted, shown, undone - shown, m_longestMs, strokeMs),
+                    "{2:0} ms; undone and shown in {3:0} ms; longest frame of the main thread {4:0.0} ms",
+                    operation.PointsChanged, counted, shown, undone - shown, m_longestMs),
             };
         }
 
@@ -75,19 +90,6 @@ namespace FastPoints.Benchmarks
                 m_views.Dispose();
             if (m_path != null)
                 File.Delete(EditJournal.PathOf(m_path));
-        }
-
-        /// <summary>As the Scene view's brush has it: ball after ball is shown, and nothing written. Ms a ball.</summary>
-        double Stroke(EditOperation operation)
-        {
-            var watch = Stopwatch.StartNew();
-            for (int balls = 1; balls <= operation.Balls.Count; balls++)
-            {
-                var draft = new EditOperation { Action = EditAction.Color, Value = new byte[] { 255, 128, 0 } };
-                draft.Balls.AddRange(operation.Balls.GetRange(0, balls));
-                Show(draft);
-            }
-            return watch.Elapsed.TotalMilliseconds / operation.Balls.Count;
         }
 
         FolderSource Open(EditOperation draft = null)

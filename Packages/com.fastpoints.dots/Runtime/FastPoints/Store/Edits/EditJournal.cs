@@ -52,7 +52,7 @@ namespace FastPoints.Store
         const string Extension = ".edits";
         const int MaxBytes = 1 << 30;
 
-        static int s_writes;
+        static int s_writes, s_drafts;
         static volatile Tuple<string, EditOperation> s_draft; // By the journal's path.
 
         readonly string m_path;
@@ -66,19 +66,23 @@ namespace FastPoints.Store
         // By this process, to any: whoever shows a cloud looks at its own again when the number rises. Any thread.
         public static int Writes => Volatile.Read(ref s_writes);
 
-        // What is drawn with the brush at this moment, if anything: the cloud is shown with it, until it is written. Any thread.
-        public static EditOperation DraftOf(string cloud)
+        // What is drawn with the brush at this moment, if anything, on the cloud of a journal: it is shown with it, until it is
+        // written. Any thread.
+        public static EditOperation DraftAt(string journal)
         {
             var draft = s_draft;
-            return draft?.Item1 == PathOf(cloud) ? draft.Item2 : null;
+            return draft?.Item1 == journal ? draft.Item2 : null;
         }
 
         // In place of any other; null for none.
-        public static void SetDraft(string cloud, EditOperation draft)
+        public static void SetDraft(string journal, EditOperation draft)
         {
-            s_draft = Tuple.Create(PathOf(cloud), draft);
-            Interlocked.Increment(ref s_writes);
+            s_draft = draft != null ? Tuple.Create(journal, draft) : null;
+            Interlocked.Increment(ref s_drafts);
         }
+
+        // Of what is written, and of drafts.
+        public static int Changes => Writes + Volatile.Read(ref s_drafts);
 
         public IReadOnlyList<EditOperation> Operations => m_operations; // In their order; those from Count on are undone.
 

@@ -11,10 +11,11 @@ namespace FastPoints.Store
         public static readonly TimeSpan PollInterval = TimeSpan.FromSeconds(1);
         const int MissesUntilDeleted = 2; // For a moment after a build, neither it nor its result may exist.
 
-        readonly string m_path;
+        readonly string m_path, m_journal;
         CloudManifest m_known; // Of the generation that was kept last.
         ulong m_knownEdits; // Their hash; 0 for none.
         int m_writes = EditJournal.Writes; // Before they were read.
+        EditOperation m_draft; // Likewise.
         PoolTask<Poll> m_polling;
         CloudFolder m_newest;
         long m_lastPoll = Stopwatch.GetTimestamp();
@@ -43,13 +44,15 @@ namespace FastPoints.Store
         // Takes ownership of the folder, which is also the first that Take returns.
         public GenerationPoller(CloudFolder first) : this(first.FolderPath)
         {
-            Keep(first, EditsOf(first));
+            m_draft = EditJournal.DraftAt(m_journal);
+            Keep(first, EditsOf(first, m_draft));
         }
 
         // The folder may not exist yet. The path may have the suffix of an unfinished folder.
         public GenerationPoller(string path)
         {
             m_path = StoreFormat.FinishedPath(path);
+            m_journal = EditJournal.PathOf(path);
             IsBuilding = true;
         }
 
@@ -63,7 +66,7 @@ namespace FastPoints.Store
         // No poll is requested or in flight, and no generation waits to be taken.
         public bool IsIdle => m_polling == null && m_newest == null && !IsRequested;
 
-        bool IsRequested => m_isRequested || m_writes != EditJournal.Writes;
+        bool IsRequested => m_isRequested || m_writes != EditJournal.Writes || m_draft != EditJournal.DraftAt(m_journal);
 
         public bool IsFollowing => IsBuilding || m_isStale; // Looks again once a second.
 
@@ -104,6 +107,7 @@ namespace FastPoints.Store
             m_lastPoll = Stopwatch.GetTimestamp();
             m_isRequested = m_isStale = false;
             m_writes = EditJournal.Writes;
+            m_draft = EditJournal.DraftAt(m_journal);
             BeginPoll();
         }
 
@@ -115,8 +119,9 @@ namespace FastPoints.Store
             string path = m_path;
             var known = m_known;
             ulong edits = m_knownEdits;
+            var draft = m_draft;
             bool wasBuilding = IsBuilding;
-            m_polling = PoolTask.Begin(path, () => PollFolder(path, known, edits, wasBuilding));
+            m_polling = PoolTask.Begin(path, () => PollFolder(path, known, edits, draft, wasBuilding));
         }
 
         public void Dispose()
@@ -128,7 +133,7 @@ namespace FastPoints.Store
             IsBuilding = m_isStale = false;
         }
 
-        static Poll PollFolder(string path, CloudManifest known, ulong edits, bool wasBuilding)
+        static Poll PollFolder(string path, CloudManifest known, ulong edits, EditOperation draft, bool wasBuilding)
         {
             var look = new Poll { Exists = CloudFolder.IsCloud(path) };
             if (!look.Exists)
@@ -140,7 +145,7 @@ namespace FastPoints.Store
                 folder = CloudFolder.Open(path);
                 var manifest = folder.Manifest;
                 bool isOther = known == null || manifest.CloudId != known.CloudId;
-                look.Edits = EditsOf(folder);
+                look.Edits = EditsOf(folder, draft);
                 // A finished cloud under its temporary name is about to be renamed: wait for that.
                 bool isNewer = manifest.IsBuilding ? isOther || manifest.Generation > known.Generation
                     : !folder.IsUnfinished && (wasBuilding || isOther || manifest.RootHash != known.RootHash ||
@@ -160,9 +165,9 @@ namespace FastPoints.Store
             return look;
         }
 
-        static Edited EditsOf(CloudFolder folder)
+        static Edited EditsOf(CloudFolder folder, EditOperation draft)
         {
-            var plan = EditPlan.Of(folder, out var refused, EditJournal.DraftOf(folder.FolderPath));
+            var plan = EditPlan.Of(folder, out var refused, draft);
             return new Edited { Plan = plan, Hash = plan?.Hash ?? 0, Refused = refused };
         }
 
