@@ -97,8 +97,8 @@ public sealed class EditToolTests : SceneToolFixture
     /// <summary>Those that are to be deleted are marked, so that the next pick does not go through them.</summary>
     void WaitForDraft(EditSession session, byte green)
     {
-        WaitForEdits(0, () => Shown.Edits?.Last.Balls.Count == session.Stroke.Count);
-        Assert.That((Shown.Edits.Last.Action, Shown.Edits.Last.Value), Is.EqualTo((EditAction.Color, new byte[] { 255, green, 0 })));
+        WaitForEdits(0, () => (session.Update(1), Shown.Edits?.Last.Balls.Count).Item2 == session.Stroke.Count);
+        Assert.That(Shown.Edits.Last.Value, Is.EqualTo(new byte[] { 255, green, 0 }));
         Assert.That(EditJournal.DraftAt(EditJournal.PathOf(m_path)), Is.SameAs(Shown.Edits.Last));
     }
 

@@ -4,11 +4,9 @@ namespace FastPoints.Scenes
 {
     internal enum SceneShape : byte
     {
-        /// <summary>Walls with windows under a gable roof; its ridge runs along the object's x axis.</summary>
-        House,
+        House, // Walls with windows under a gable roof; its ridge runs along the object's x axis.
         Pole,
-        /// <summary>An ellipsoid filled with leaves: a pulse enters it and may return several times.</summary>
-        Crown,
+        Crown, // An ellipsoid filled with leaves: a pulse enters it and may return several times.
         Box,
     }
 

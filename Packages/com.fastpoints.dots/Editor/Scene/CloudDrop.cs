@@ -185,7 +185,6 @@ namespace FastPoints.Editor
     {
         Ask,
         OneCloud,
-        /// <summary>A cloud each, at a shared origin in scenes.</summary>
-        Separate,
+        Separate, // A cloud each, at a shared origin in scenes.
     }
 }

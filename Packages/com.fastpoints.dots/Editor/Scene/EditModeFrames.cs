@@ -1,5 +1,6 @@
 using System;
 using FastPoints.Entities;
+using FastPoints.Store;
 using UnityEditor;
 using UnityEditorInternal;
 

@@ -72,8 +72,7 @@ namespace FastPoints.Rendering
     {
         Whole,
 
-        // The slice of a texture array.
-        Left,
+        Left, // The slice of a texture array.
 
         Right,
     }

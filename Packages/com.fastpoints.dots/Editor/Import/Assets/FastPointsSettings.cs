@@ -124,10 +124,8 @@ namespace FastPoints.Editor
 
     internal enum InPlayMode
     {
-        /// <summary>They leave the other workers to the game.</summary>
-        OneWorker,
-        /// <summary>They resume when play mode ends.</summary>
-        Pause,
+        OneWorker, // They leave the other workers to the game.
+        Pause, // They resume when play mode ends.
         AsInEditMode,
     }
 }

@@ -142,10 +142,8 @@ namespace FastPoints.Editor
     {
         None,
         InPlace,
-        /// <summary>It is in another folder of the project's clouds, found by its id.</summary>
-        Moved,
-        /// <summary>Another cloud is at the handle's path, and its own was not found.</summary>
-        Another,
+        Moved, // It is in another folder of the project's clouds, found by its id.
+        Another, // Another cloud is at the handle's path, and its own was not found.
         Unfinished,
     }
 }

@@ -66,11 +66,8 @@ namespace FastPoints.Editor
 
     internal enum DropKind
     {
-        /// <summary>Left to others: there is something else among the files.</summary>
-        None,
-        /// <summary>The point clouds are small enough to be copied into the project and imported there.</summary>
-        Copy,
-        /// <summary>The files stay where they are, and each gets a handle.</summary>
-        Handle,
+        None, // Left to others: there is something else among the files.
+        Copy, // The point clouds are small enough to be copied into the project and imported there.
+        Handle, // The files stay where they are, and each gets a handle.
     }
 }

@@ -137,11 +137,9 @@ namespace FastPoints.Editor
     /// <summary>How a cloud's source has changed since it was converted.</summary>
     internal enum SourceChange
     {
-        /// <summary>Its bytes are the same, as far as they are compared; its time may differ.</summary>
-        None,
+        None, // Its bytes are the same, as far as they are compared; its time may differ.
         Changed,
-        /// <summary>One of its files does not exist or cannot be read.</summary>
-        Missing,
+        Missing, // One of its files does not exist or cannot be read.
     }
 
     /// <summary>Keeps the stamp of a source without a handle, a file in <c>Assets</c>, beside the converted cloud.</summary>

@@ -166,9 +166,7 @@ namespace FastPoints.Editor
         Paused,
         Done,
         Failed,
-        /// <summary>It was ended early; nothing is left of it.</summary>
-        Cancelled,
-        /// <summary>It was ended early; the next session of the same target continues from what lies on disk.</summary>
-        Suspended,
+        Cancelled, // It was ended early; nothing is left of it.
+        Suspended, // It was ended early; the next session of the same target continues from what lies on disk.
     }
 }

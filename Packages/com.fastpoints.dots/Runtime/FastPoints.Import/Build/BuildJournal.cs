@@ -9,14 +9,10 @@ namespace FastPoints.Build
     {
         public enum Stage
         {
-            /// <summary>Sources are read: up to <see cref="Source"/> and <see cref="Block"/>.</summary>
-            Read,
-            /// <summary>All points are in chunks, which are split if they are too large.</summary>
-            Split,
-            /// <summary>The chunks are final, and are indexed one by one.</summary>
-            Index,
-            /// <summary>Everything is done except the folder's final name.</summary>
-            Done,
+            Read, // Sources are read: up to Source and Block.
+            Split, // All points are in chunks, which are split if they are too large.
+            Index, // The chunks are final, and are indexed one by one.
+            Done, // Everything is done except the folder's final name.
         }
 
         public struct Chunk

@@ -150,19 +150,14 @@ namespace FastPoints.E57
 
     enum E57Target
     {
-        // A column of an integer type: integer * factor + shift.
-        Integers,
+        Integers, // A column of an integer type: integer * factor + shift.
 
-        // A column of an integer type: round(value * scale + offset), clamped to 0 to 65,535.
-        To16Bits,
+        To16Bits, // A column of an integer type: round(value * scale + offset), clamped to 0 to 65,535.
 
-        // A column of floats or doubles: value * scale + offset.
-        Reals,
+        Reals, // A column of floats or doubles: value * scale + offset.
 
-        // One of the three (or six) rows of doubles that become positions and normals.
-        Vector,
+        Vector, // One of the three (or six) rows of doubles that become positions and normals.
 
-        // None: points whose value is not 0 are left out.
-        InvalidFlag,
+        InvalidFlag, // None: points whose value is not 0 are left out.
     }
 }

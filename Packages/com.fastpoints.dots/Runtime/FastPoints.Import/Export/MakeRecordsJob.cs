@@ -257,12 +257,9 @@ namespace FastPoints.Export
     internal enum PositionKind
     {
         Copied,
-        /// <summary>Integers of 64 bits, along some axes perhaps of 32, to those of 32.</summary>
-        Narrowed,
-        /// <summary>Rounded to a grid of 32-bit integers.</summary>
-        Rounded,
-        /// <summary>Georeferenced, as doubles.</summary>
-        Geo,
+        Narrowed, // Integers of 64 bits, along some axes perhaps of 32, to those of 32.
+        Rounded, // Rounded to a grid of 32-bit integers.
+        Geo, // Georeferenced, as doubles.
     }
 
     internal struct PositionConversion

@@ -9,17 +9,13 @@ namespace FastPoints.Laz
 {
     internal enum LazCompressor
     {
-        // Uncompressed records in a file that says LAZ.
-        None = 0,
+        None = 0, // Uncompressed records in a file that says LAZ.
 
-        // One stream from the first point to the last (LASzip 1.x).
-        Pointwise = 1,
+        Pointwise = 1, // One stream from the first point to the last (LASzip 1.x).
 
-        // Chunks, each a stream of its own.
-        PointwiseChunked = 2,
+        PointwiseChunked = 2, // Chunks, each a stream of its own.
 
-        // Chunks of layers, for point formats 6 to 10.
-        LayeredChunked = 3,
+        LayeredChunked = 3, // Chunks of layers, for point formats 6 to 10.
     }
 
     internal sealed class LazFormat

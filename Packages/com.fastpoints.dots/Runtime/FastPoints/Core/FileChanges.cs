@@ -196,7 +196,6 @@ namespace FastPoints
         Delete,
         MoveFolder,
         DeleteFolder,
-        /// <summary>None: queries the free bytes of a folder's disk.</summary>
-        Measure,
+        Measure, // None: queries the free bytes of a folder's disk.
     }
 }

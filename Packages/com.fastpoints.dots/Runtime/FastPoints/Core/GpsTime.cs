@@ -7,14 +7,11 @@ namespace FastPoints
     {
         Unknown,
 
-        /// <summary>Seconds of the GPS week.</summary>
-        Week,
+        Week, // Seconds of the GPS week.
 
-        /// <summary>Seconds since 1980-01-06, less 10^9.</summary>
-        AdjustedStandard,
+        AdjustedStandard, // Seconds since 1980-01-06, less 10^9.
 
-        /// <summary>Seconds since 1980-01-06, less an offset that the file names (LAS 1.5).</summary>
-        Offset,
+        Offset, // Seconds since 1980-01-06, less an offset that the file names (LAS 1.5).
     }
 
     /// <summary>The kind of a source's GPS times, as LAS has it in bits 0 and 6 of the global encoding.</summary>

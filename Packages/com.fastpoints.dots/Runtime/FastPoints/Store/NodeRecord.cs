@@ -160,14 +160,10 @@ namespace FastPoints.Store
 
     internal enum ContainerKind : ushort
     {
-        /// <summary>All of the cloud but its texts: planes and pages.</summary>
-        SingleFile = 0,
-        /// <summary>The nodes of one region, but its top node.</summary>
-        Chunk = 1,
-        /// <summary>Upper nodes that were made together.</summary>
-        Upper = 2,
-        /// <summary>Pages alone.</summary>
-        Hierarchy = 3,
+        SingleFile = 0, // All of the cloud but its texts: planes and pages.
+        Chunk = 1, // The nodes of one region, but its top node.
+        Upper = 2, // Upper nodes that were made together.
+        Hierarchy = 3, // Pages alone.
     }
 
     // The head of a page. Behind it come the containers, by plane the number of its container (4 bytes each, filled up to 8), the

@@ -19,14 +19,10 @@ namespace FastPoints.Build
         enum WriteKind
         {
             Whole,
-            /// <summary>A piece of a file that still has its temporary name.</summary>
-            Piece,
-            /// <summary>The first bytes of such a file, which complete it.</summary>
-            Seal,
-            /// <summary>Records at the end of a file that only the build reads.</summary>
-            Records,
-            /// <summary>A flush to disk of what was written to such a file so far.</summary>
-            Sync,
+            Piece, // A piece of a file that still has its temporary name.
+            Seal, // The first bytes of such a file, which complete it.
+            Records, // Records at the end of a file that only the build reads.
+            Sync, // A flush to disk of what was written to such a file so far.
             Call,
         }
 

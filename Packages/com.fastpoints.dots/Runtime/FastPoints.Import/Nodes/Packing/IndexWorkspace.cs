@@ -358,17 +358,13 @@ namespace FastPoints.Nodes
 
     internal enum SampledCubeKind : byte
     {
-        /// <summary>All points that no node above takes are one node.</summary>
-        Leaf,
+        Leaf, // All points that no node above takes are one node.
 
-        /// <summary>A node takes some of what the parts offer, and offers these to the range above.</summary>
-        Sampled,
+        Sampled, // A node takes some of what the parts offer, and offers these to the range above.
 
-        /// <summary>The spacing would be no finer than that above: the parts' samples are passed on to it.</summary>
-        Passed,
+        Passed, // The spacing would be no finer than that above: the parts' samples are passed on to it.
 
-        /// <summary>All points are at one position: a chain of nodes, which offers one of them.</summary>
-        Chain,
+        Chain, // All points are at one position: a chain of nodes, which offers one of them.
 
         Top,
     }

@@ -87,8 +87,7 @@ namespace FastPoints.Reading
         TripleOfBytes2,
         TripleOfBytes4,
         TripleOfBytes8,
-        // Six columns in one pass: the usual request, and faster than two passes.
-        PositionAndColor,
+        PositionAndColor, // Six columns in one pass: the usual request, and faster than two passes.
     }
 
     // From a field of each record to one or several columns. Blittable: jobs carry arrays of these.

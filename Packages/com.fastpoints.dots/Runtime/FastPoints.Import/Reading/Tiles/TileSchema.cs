@@ -206,12 +206,9 @@ namespace FastPoints.Reading
     {
         Copy,
         Zero,
-        // Integers to wider ones: stored * Factor.
-        Integer,
-        // Places on the common grid: stored * Factor + Shift, as int64.
-        Position,
-        // Any numbers to floats: stored * Scale + Offset.
-        Real,
+        Integer, // Integers to wider ones: stored * Factor.
+        Position, // Places on the common grid: stored * Factor + Shift, as int64.
+        Real, // Any numbers to floats: stored * Scale + Offset.
     }
 
     struct TileColumn

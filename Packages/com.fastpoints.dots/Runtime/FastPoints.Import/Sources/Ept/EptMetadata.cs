@@ -162,13 +162,10 @@ namespace FastPoints.Sources
 
     internal enum EptDataType
     {
-        // Records as the schema describes them, one after the other (.bin).
-        Binary,
+        Binary, // Records as the schema describes them, one after the other (.bin).
 
-        // The same in a zstandard frame (.zst).
-        Zstandard,
+        Zstandard, // The same in a zstandard frame (.zst).
 
-        // A whole LAZ file (.laz).
-        Laszip,
+        Laszip, // A whole LAZ file (.laz).
     }
 }

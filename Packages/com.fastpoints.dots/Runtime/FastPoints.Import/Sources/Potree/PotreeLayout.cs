@@ -216,19 +216,14 @@ namespace FastPoints.Sources
 
     enum PotreeAttributeKind
     {
-        // Each element is a column of the attribute's own type.
-        Plain,
+        Plain, // Each element is a column of the attribute's own type.
 
-        // Three int32, relative to the node's or the cloud's corner.
-        Position,
+        Position, // Three int32, relative to the node's or the cloud's corner.
 
-        // Red, green, blue of one type, possibly followed by alpha.
-        Color,
+        Color, // Red, green, blue of one type, possibly followed by alpha.
 
-        // A unit vector in two bytes, by the sphere map of the Lambert azimuthal equal-area projection.
-        SphereMappedNormal,
+        SphereMappedNormal, // A unit vector in two bytes, by the sphere map of the Lambert azimuthal equal-area projection.
 
-        // A unit vector in two bytes, folded over an octahedron.
-        OctahedralNormal,
+        OctahedralNormal, // A unit vector in two bytes, folded over an octahedron.
     }
 }

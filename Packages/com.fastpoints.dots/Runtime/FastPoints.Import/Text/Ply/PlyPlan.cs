@@ -281,8 +281,7 @@ namespace FastPoints.Text
         Skip,
         Value,
         List,
-        // In text: a number whose bits are a colour.
-        PackedColor,
+        PackedColor, // In text: a number whose bits are a colour.
     }
 
     // One step through one instance of an element. Blittable: jobs carry arrays of these.

@@ -199,8 +199,7 @@ namespace FastPoints.Text
     enum XyzStepKind : byte
     {
         Skip,
-        // A number that is not requested.
-        Check,
+        Check, // A number that is not requested.
         // A coordinate, as a whole number of 10^-Decimals.
         Coordinate,
         Integer,

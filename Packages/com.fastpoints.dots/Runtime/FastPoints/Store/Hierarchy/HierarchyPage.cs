@@ -86,11 +86,9 @@ namespace FastPoints.Store
     internal enum HierarchyPageStatus : byte
     {
         Absent,
-        /// <summary>Its table is being read.</summary>
-        Loading,
+        Loading, // Its table is being read.
         Loaded,
-        /// <summary>Its table could not be read, which was reported; the page is a hole.</summary>
-        Failed,
+        Failed, // Its table could not be read, which was reported; the page is a hole.
     }
 
     internal struct MissingHierarchyPage

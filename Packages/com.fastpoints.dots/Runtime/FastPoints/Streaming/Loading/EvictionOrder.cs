@@ -101,8 +101,7 @@ namespace FastPoints.Streaming
     internal enum CachePhase : byte
     {
         Free,
-        // Its bytes are in flight, or wait to be copied.
-        Requested,
+        Requested, // Its bytes are in flight, or wait to be copied.
         // A job writes to its memory.
         Uploading,
         Resident,

@@ -320,8 +320,7 @@ namespace FastPoints.Streaming
         Reading,
         Building,
         Transcoding,
-        // Its nodes wait to be copied into the pool, or are being copied.
-        Arrived,
+        Arrived, // Its nodes wait to be copied into the pool, or are being copied.
     }
 
     internal struct FetchPart

@@ -61,10 +61,8 @@ namespace FastPoints.Streaming
     internal enum TranscodeResult : byte
     {
         Done,
-        // The node's bytes are wrong or missing.
-        Damaged,
-        // The file, which also holds other nodes, cannot be read.
-        Unreadable,
+        Damaged, // The node's bytes are wrong or missing.
+        Unreadable, // The file, which also holds other nodes, cannot be read.
     }
 
     /// <summary>Something that could not be shown after all retries.</summary>

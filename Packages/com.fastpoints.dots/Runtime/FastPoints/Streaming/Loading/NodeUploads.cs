@@ -144,8 +144,7 @@ namespace FastPoints.Streaming
 
     internal enum UploadCheck : byte
     {
-        // It was just transcoded in memory.
-        None,
+        None, // It was just transcoded in memory.
         // Its hash was right before. Even if the file has changed since, its bytes must not lead outside of it.
         Shape,
         Hash,
