@@ -18,6 +18,7 @@ public sealed class WalkTests : GraphicsFixture
     [SetUp]
     public void OpenProject()
     {
+        SceneLoop.Clear(); // Of what other tests left, which frames would open.
         m_logged.Clear();
         // Burst warns once of delegates in Unity's own packages, where these are Unity's own.
         Debug.s_sink = (type, text) => m_logged.AddRange(text.Contains("UnmanagedFunctionPointer") ? [] : [type + ": " + text]);
@@ -32,6 +33,7 @@ public sealed class WalkTests : GraphicsFixture
         Application.PlayerFiles = m_project.Scratch["player"];
         Directory.CreateDirectory(Application.PlayerFiles);
         MakeWorld();
+        EditModeFrames.Update(); // The edits of other tests are no news.
     }
 
     [TearDown]
