@@ -1,3 +1,4 @@
+using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 
@@ -74,6 +75,56 @@ namespace FastPoints.Queries
             }
         }
 
+        // Before Build: so that boxes of all levels are small, leaves are halved along the longest side, again and again. Gives
+        // where each was.
+        public readonly void Order(uint* order)
+        {
+            long eights = Above(LeafCount) * (long)sizeof(EightBoxes);
+            var from = (EightBoxes*)UnsafeUtility.Malloc(eights, 8, Allocator.Temp);
+            uint* spare = (uint*)UnsafeUtility.Malloc(LeafCount * (long)sizeof(uint), 8, Allocator.Temp);
+            ulong* keys = (ulong*)UnsafeUtility.Malloc(2L * LeafCount * sizeof(ulong), 8, Allocator.Temp);
+            UnsafeUtility.MemCpy(from, Eights, eights);
+            for (int i = 0; i < LeafCount; i++)
+                order[i] = (uint)i;
+            Halve(from, order, LeafCount, keys, spare);
+            for (int i = 0; i < LeafCount; i++)
+                for (int axis = 0; axis < 3 * FanOut; axis += FanOut)
+                {
+                    int to = axis + i % FanOut, at = axis + (int)order[i] % FanOut;
+                    Eights[i / FanOut].Middle[to] = from[order[i] / FanOut].Middle[at];
+                    Eights[i / FanOut].Half[to] = from[order[i] / FanOut].Half[at];
+                }
+            UnsafeUtility.Free(keys, Allocator.Temp);
+            UnsafeUtility.Free(spare, Allocator.Temp);
+            UnsafeUtility.Free(from, Allocator.Temp);
+        }
+
+        static void Halve(EightBoxes* boxes, uint* order, int count, ulong* keys, uint* spare)
+        {
+            if (count <= FanOut)
+                return;
+            float3 min = float.PositiveInfinity, max = float.NegativeInfinity;
+            for (int i = 0; i < count; i++)
+            {
+                var middle = boxes[order[i] / FanOut].MiddleOf((int)order[i] % FanOut);
+                min = math.min(min, middle);
+                max = math.max(max, middle);
+            }
+            var size = max - min;
+            int axis = size.x >= math.max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
+            float scale = size[axis] > 0 ? ushort.MaxValue / size[axis] : 0;
+            for (int i = 0; i < count; i++)
+                keys[i] = (ulong)((boxes[order[i] / FanOut].MiddleOf((int)order[i] % FanOut)[axis] - min[axis]) * scale);
+            RadixSort.Sort(keys, order, keys + count, spare, count);
+            // The first half has whole boxes of the level below.
+            int whole = FanOut;
+            while (whole * FanOut < count)
+                whole *= FanOut;
+            int half = (count + whole - 1) / whole / 2 * whole;
+            Halve(boxes, order, half, keys, spare);
+            Halve(boxes, order + half, count - half, keys, spare);
+        }
+
         static int Above(int count) => (count + FanOut - 1) >> FanOutLog2;
     }
 
@@ -99,6 +150,8 @@ namespace FastPoints.Queries
             Middle[axis * Count + box] = middle;
             Half[axis * Count + box] = (float)(math.max(max - middle, middle - min) * (1 + Rounding));
         }
+
+        public readonly float3 MiddleOf(int box) => new float3(Middle[box], Middle[Count + box], Middle[2 * Count + box]);
 
         public void Get(int box, out double3 middle, out double3 half)
         {

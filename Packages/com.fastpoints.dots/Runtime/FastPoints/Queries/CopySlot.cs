@@ -212,13 +212,14 @@ namespace FastPoints.Queries
                 IsDamaged = isDamaged,
                 Positions = m_node.PlaneOf(m_cloud, StoreLayout.PositionPlane),
                 Tree = m_node.Tree,
+                Runs = m_node.Runs,
                 Step = m_cloud.Source.Grid.Step,
             }.Schedule(m_job);
             m_phase = Phase.Building;
         }
     }
 
-    // The copy of a node: boxes of its points, then its streamed planes.
+    // The copy of a node: runs of its points, the tree over them, then its streamed planes.
     internal unsafe struct CopiedNode
     {
         const int MaxPlanes = 16; // Streamed planes beyond these cannot be read from the copy.
@@ -236,11 +237,16 @@ namespace FastPoints.Queries
         public readonly bool IsMade => Memory != null;
 
         // Planes begin at multiples of 16 bytes.
-        public static long BytesOfTree(int blocks) =>
-            BoxTree.EightsOf(blocks * ResidentNode.RunsPerBlock) * (long)sizeof(EightBoxes);
+        public static long BytesOfTree(int blocks) => blocks * (long)(PointRun.PerBlock * sizeof(PointRun)) +
+            BoxTree.EightsOf(blocks * PointRun.PerBlock) * (long)sizeof(EightBoxes);
 
-        public readonly BoxTree Tree =>
-            new BoxTree { Eights = (EightBoxes*)Memory, LeafCount = BlockCount * ResidentNode.RunsPerBlock };
+        public readonly PointRun* Runs => (PointRun*)Memory;
+
+        public readonly BoxTree Tree => new BoxTree
+        {
+            Eights = (EightBoxes*)(Runs + BlockCount * PointRun.PerBlock),
+            LeafCount = BlockCount * PointRun.PerBlock,
+        };
 
         public void SetPlane(int plane, long offset)
         {

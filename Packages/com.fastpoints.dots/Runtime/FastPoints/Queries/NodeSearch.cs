@@ -28,6 +28,10 @@ namespace FastPoints.Queries
         public LocalClip* Clips;
         public int ClipCount;
 
+        // Of the runs that are searched one after the other many are of one block.
+        uint* m_words;
+        SearchedBlock m_block;
+
         // The box that the columns' minima and widths allow: its centre in CRS units from the root's corner.
         public readonly double3 BoxOf(int block, out double3 half)
         {
@@ -37,67 +41,77 @@ namespace FastPoints.Queries
 
         public void Search(int block, int first, int count, ulong* scratch, ref HitHeap hits)
         {
+            int before = first % EightBoxes.Count;
+            first -= before;
+            count += before;
             int stride = (count + EightBoxes.Count - 1) & -EightBoxes.Count;
-            // The corner's position is computed in full, and offsets from it in the cloud's own units: nothing is lost far from
-            // the origin.
-            var corner = CornerOf(block, out var min);
-            var at = new BlockCorner { Block = block, Corner = corner, Local = ToDouble(corner) * Step };
-            at.FromOriginWorld = Space.RelativeToOrigin(at.Local);
-            if (Filter.IsUsed)
-            {
-                var extent = new float3(ExtentOf(block, 0), ExtentOf(block, 1), ExtentOf(block, 2));
-                Filter.Begin(at.FromOriginWorld, extent, hits.Limit);
-            }
-            if (math.cmax(WidthsOf(block)) > MaxNarrowWidth)
+            if (Positions.Words != m_words || block != m_block.Index)
+                Begin(block, hits.Limit);
+            if (m_block.IsWide)
             {
                 for (int axis = 0; axis < 3; axis++)
                     Positions.UnpackWide(block, axis, first, count, scratch + axis * stride);
-                for (int i = 0; i < count; i++)
+                for (int i = before; i < count; i++)
                 {
                     var position = new Grid3((long)scratch[i], (long)scratch[stride + i], (long)scratch[2 * stride + i]);
-                    Test(at, position - min, first + i, ref hits);
+                    Test(position - m_block.Min, first + i, ref hits);
                 }
                 return;
             }
             uint* x = (uint*)scratch, y = x + stride, z = y + stride;
-            for (int axis = 0; axis < 3; axis++)
-                Positions.UnpackOffsets(block, axis, first, count, x + axis * stride);
+            Positions.UnpackOffsets(block, first, count, x, stride);
             for (int i = 0; i < count; i += EightBoxes.Count)
             {
-                uint held = 0xFFu >> math.max(0, i + EightBoxes.Count - count);
+                uint held = 0xFFu >> math.max(0, i + EightBoxes.Count - count) & 0xFFu << math.max(0, before - i);
                 if (Filter.IsUsed)
                     held &= (uint)Filter.MayHold(x + i, y + i, z + i);
                 for (; held != 0; held &= held - 1)
                 {
                     int n = i + math.tzcnt(held);
-                    Test(at, new Grid3(x[n], y[n], z[n]), first + n, ref hits);
+                    Test(new Grid3(x[n], y[n], z[n]), first + n, ref hits);
                 }
+            }
+        }
+
+        // The corner's position is computed in full, and offsets from it in the cloud's own units: nothing is lost far from the
+        // origin.
+        void Begin(int block, double limit)
+        {
+            m_words = Positions.Words;
+            var corner = CornerOf(block, out var min);
+            m_block = new SearchedBlock { Index = block, Min = min, Corner = corner, Local = ToDouble(corner) * Step };
+            m_block.FromOriginWorld = Space.RelativeToOrigin(m_block.Local);
+            m_block.IsWide = math.cmax(WidthsOf(block)) > MaxNarrowWidth;
+            if (Filter.IsUsed)
+            {
+                var extent = new float3(ExtentOf(block, 0), ExtentOf(block, 1), ExtentOf(block, 2));
+                Filter.Begin(m_block.FromOriginWorld, extent, limit);
             }
         }
 
         readonly int3 WidthsOf(int block) =>
             new int3(Positions.WidthOf(block, 0), Positions.WidthOf(block, 1), Positions.WidthOf(block, 2));
 
-        readonly void Test(in BlockCorner at, Grid3 steps, int index, ref HitHeap hits)
+        readonly void Test(Grid3 steps, int index, ref HitHeap hits)
         {
             var offset = ToDouble(steps) * Step;
-            if (!Space.Holds(at.FromOriginWorld + Space.ToWorldVector(offset), out double distance, out double rayDistanceSq) ||
+            if (!Space.Holds(m_block.FromOriginWorld + Space.ToWorldVector(offset), out double distance, out double rayDistanceSq) ||
                 distance > hits.Limit)
                 return;
-            if (!Hidden.IsEmpty && Hidden.Has((byte)Classes.ValueAt(at.Block, 0, index)) ||
-                ClipCount > 0 && !LocalClip.MayKeep(Clips, ClipCount, at.Local + offset, 0))
+            if (!Hidden.IsEmpty && Hidden.Has((byte)Classes.ValueAt(m_block.Index, 0, index)) ||
+                ClipCount > 0 && !LocalClip.MayKeep(Clips, ClipCount, m_block.Local + offset, 0))
                 return;
             hits.Add(new PickHit
             {
                 Distance = distance,
                 RayDistanceSq = rayDistanceSq,
-                Position = RootCorner + at.Corner + steps,
+                Position = RootCorner + m_block.Corner + steps,
                 Cloud = Cloud,
                 Page = Page,
                 Node = Node,
-                Block = at.Block,
+                Block = m_block.Index,
                 Index = index,
-                Normal = NormalAt(Normals, at.Block, index),
+                Normal = NormalAt(Normals, m_block.Index, index),
             });
         }
 
@@ -118,9 +132,11 @@ namespace FastPoints.Queries
 
         static double3 ToDouble(Grid3 position) => new double3(position.X, position.Y, position.Z);
 
-        struct BlockCorner
+        struct SearchedBlock
         {
-            public int Block;
+            public int Index;
+            public bool IsWide;
+            public Grid3 Min; // From the node's corner.
             public Grid3 Corner; // From the root's.
             public double3 Local;
             public double3 FromOriginWorld;

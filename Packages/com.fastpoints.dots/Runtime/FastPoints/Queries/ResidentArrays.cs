@@ -139,6 +139,7 @@ namespace FastPoints.Queries
                     Normals = normals > 0 ? node.PlaneOf(streamed, normals) : default,
                     Corner = corner,
                     Tree = tree,
+                    Runs = node.Runs,
                     Center = stored.Center,
                     Half = stored.Half,
                     Spacing = stored.Spacing,

@@ -58,7 +58,7 @@ namespace FastPoints.Queries
         // A hit's cloud is its index in Clouds here, and its node the index in Nodes.
         void Search(in PointQuery query, ref HitHeap hits)
         {
-            ulong* scratch = stackalloc ulong[3 * ResidentNode.PointsPerRun];
+            ulong* scratch = stackalloc ulong[NodeSearch.ScratchCount];
             var clouds = (ResidentCloud*)Clouds.GetUnsafeReadOnlyPtr();
             var nodes = (ResidentNode*)Nodes.GetUnsafeReadOnlyPtr();
             for (int c = 0; c < Clouds.Length; c++)
@@ -82,7 +82,8 @@ namespace FastPoints.Queries
         static void Walk(in ResidentCloud cloud, ResidentNode* nodes, ref NodeSearch search, ulong* scratch, ref HitHeap hits)
         {
             var items = stackalloc PendingBox[2 * BoxTree.MaxPending];
-            var pending = new PendingBoxes { Items = items };
+            var rays = stackalloc BoxTreeRay[2];
+            var pending = new PendingBoxes { Items = items, Rays = rays };
             pending.Begin(cloud.Tree, PendingBox.NoNode, search.Space, hits.Limit);
             while (pending.Count > 0)
             {
@@ -103,10 +104,8 @@ namespace FastPoints.Queries
                 }
                 else
                 {
-                    int block = next.Index / ResidentNode.RunsPerBlock;
-                    int first = next.Index % ResidentNode.RunsPerBlock * ResidentNode.PointsPerRun;
-                    int count = math.min(ResidentNode.PointsPerRun, search.Positions.PointsOf(block) - first);
-                    search.Search(block, first, count, scratch, ref hits);
+                    var run = nodes[next.Node].Runs[next.Index];
+                    search.Search(run.Block, run.First, run.Count, scratch, ref hits);
                 }
             }
         }
@@ -161,34 +160,40 @@ namespace FastPoints.Queries
         struct PendingBoxes
         {
             [NativeDisableUnsafePtrRestriction] public PendingBox* Items;
+            [NativeDisableUnsafePtrRestriction] public BoxTreeRay* Rays; // For the tree over nodes and the node.
             public int Count;
-            BoxTreeRay m_raysOfCloud;
-            BoxTreeRay m_raysOfNode;
 
             public void Begin(in BoxTree tree, int node, in QuerySpace space, double limit)
             {
                 if (tree.LeafCount == 0)
                     return;
-                if (space.IsRay && node < 0)
-                    m_raysOfCloud = space.RayFor(tree);
-                else if (space.IsRay)
-                    m_raysOfNode = space.RayFor(tree);
+                if (space.IsRay)
+                    Rays[node < 0 ? 0 : 1] = space.RayFor(tree);
                 Push(tree, new PendingBox { Node = node, Level = tree.LevelBelowRoot + 1 }, space, limit);
             }
 
             // The nearest of a parent's boxes comes on top; those beyond the limit are left out.
             public void Push(in BoxTree tree, in PendingBox parent, in QuerySpace space, double limit)
             {
-                int level = parent.Level - 1, bottom = Count;
+                int level = parent.Level - 1, bottom = Count, first = parent.Index * BoxTree.FanOut;
                 var boxes = tree.BoxesOfLevel(level, out int boxCount) + parent.Index;
-                double* distances = stackalloc double[BoxTree.FanOut];
-                uint hits = Intersect(boxes, tree, parent.Node, space, distances);
-                int first = parent.Index * BoxTree.FanOut;
-                hits &= 0xFFu >> math.max(0, first + BoxTree.FanOut - boxCount);
+                var ray = Rays + (parent.Node < 0 ? 0 : 1);
+                float* starts = stackalloc float[BoxTree.FanOut];
+                uint hits = 0xFFu >> math.max(0, first + BoxTree.FanOut - boxCount);
+                if (space.IsRay)
+                    hits &= (uint)BoxTreeRay.Intersect(ray, boxes, starts);
                 for (; hits != 0; hits &= hits - 1)
                 {
                     int box = math.tzcnt(hits), at = Count;
-                    double distance = distances[box];
+                    double distance;
+                    if (space.IsRay)
+                        distance = ray->Base + starts[box];
+                    else
+                    {
+                        boxes->Get(box, out var middle, out var half);
+                        if (!space.Intersects(middle + tree.Corner, half, out distance))
+                            continue;
+                    }
                     if (distance > limit)
                         continue;
                     for (; at > bottom && Items[at - 1].Distance < distance; at--)
@@ -196,28 +201,6 @@ namespace FastPoints.Queries
                     Items[at] = new PendingBox { Distance = distance, Node = parent.Node, Level = level, Index = first + box };
                     Count++;
                 }
-            }
-
-            uint Intersect(EightBoxes* boxes, in BoxTree tree, int node, in QuerySpace space, double* distances)
-            {
-                uint hits = 0;
-                if (space.IsRay)
-                {
-                    float* starts = stackalloc float[BoxTree.FanOut];
-                    fixed (BoxTreeRay* rays = &(node < 0 ? ref m_raysOfCloud : ref m_raysOfNode))
-                    {
-                        hits = (uint)BoxTreeRay.Intersect(rays, boxes, starts);
-                        for (int box = 0; box < BoxTree.FanOut; box++)
-                            distances[box] = rays->Base + starts[box];
-                    }
-                    return hits;
-                }
-                for (int box = 0; box < BoxTree.FanOut; box++)
-                {
-                    boxes->Get(box, out var middle, out var half);
-                    hits |= space.Intersects(middle + tree.Corner, half, out distances[box]) ? 1u << box : 0;
-                }
-                return hits;
             }
         }
     }
@@ -243,6 +226,7 @@ namespace FastPoints.Queries
         public PlaneView Normals; // No words if there are none.
         public Grid3 Corner; // From the root's.
         public BoxTree Tree; // Of runs of its points.
+        [NativeDisableUnsafePtrRestriction] public PointRun* Runs;
         public double3 Center; // Of the box around all points from here down, in CRS units from the root's corner.
         public double3 Half;
         public float Spacing;
@@ -250,9 +234,6 @@ namespace FastPoints.Queries
         public int FirstChild; // Among those that are in memory.
         public int ChildCount;
 
-        // A block's points are in Morton order, so that a part of them lies close together.
-        public const int PointsPerRun = PlaneShape.MaxPointsPerBlock / RunsPerBlock;
-        public const int RunsPerBlock = BoxTree.FanOut;
         const double Rounding = 1e-6; // What a float rounds away at the ends of the box.
 
         public readonly bool Holds(double3 local) => math.all(math.abs(local - Center) <= Half * (1 + Rounding));

@@ -1,4 +1,5 @@
 using FastPoints.Queries;
+using FastPoints.Store;
 using FastPoints.Streaming;
 using NUnit.Framework;
 using Unity.Collections;
@@ -91,6 +92,75 @@ namespace FastPoints.Tests.Queries
                 }
             }
             Assert.That(held, Is.InRange(1000, 15_000));
+        }
+
+        [Test]
+        public void Order_BoxesOfAPlaneInDisorder_KeepsThemAllAndMakesSmallParents()
+        {
+            const int Side = 24, Count = Side * Side;
+            using var eights = new NativeArray<EightBoxes>(BoxTree.EightsOf(Count), Allocator.Persistent);
+            var tree = new BoxTree { Eights = (EightBoxes*)eights.GetUnsafePtr(), LeafCount = Count };
+            for (int i = 0; i < Count; i++)
+                tree.Eights[i / 8].Set(i % 8, MinOf(i, Side), MinOf(i, Side) + 1);
+            uint* order = stackalloc uint[Count];
+            tree.Order(order);
+            tree.Build();
+            var isThere = new bool[Count];
+            for (int i = 0; i < Count; i++)
+            {
+                tree.Eights[i / 8].Get(i % 8, out var middle, out _);
+                Assert.That(middle, Is.EqualTo(MinOf((int)order[i], Side) + 0.5));
+                isThere[order[i]] = true;
+            }
+            Assert.That(isThere, Is.All.True);
+            var parents = tree.BoxesOfLevel(1, out int count);
+            double area = 0;
+            for (int i = 0; i < count; i++)
+            {
+                parents[i / 8].Get(i % 8, out _, out var half);
+                area += 4 * half.x * half.y;
+            }
+            Assert.That(area, Is.InRange(Count, 1.5 * Count));
+        }
+
+        static double3 MinOf(int box, int side) => new double3(box * 7 % side, box / side * 5 % side, 0);
+
+        [TestCase(128, 0, 16), TestCase(128, 37, 32), TestCase(77, 76, 16), TestCase(5, 0, 1), TestCase(1, 0, 1)]
+        public void Build_PointsOfALine_RunsEndAtJumpsAndAreEqualWithout(int points, int jump, int longest)
+        {
+            uint* plane = stackalloc uint[1024];
+            ulong* values = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock], bounds = stackalloc ulong[6];
+            for (int i = 0; i < points; i++)
+            {
+                BlockWriter.WideOf(values, 0)[i] = (ulong)(i < jump ? 10 * i : 10 * i + 999);
+                BlockWriter.WideOf(values, 1)[i] = BlockWriter.WideOf(values, 2)[i] = 5;
+            }
+            var shape = new PlaneShape(3, 7);
+            var writer = new BlockWriter(plane, shape, 0, shape.DescriptorWords);
+            writer.Write(values, points, bounds, bounds + 3);
+            writer.End();
+            var eights = stackalloc EightBoxes[BoxTree.EightsOf(PointRun.PerBlock)];
+            var runs = stackalloc PointRun[PointRun.PerBlock];
+            using var isDamaged = new NativeArray<bool>(1, Allocator.Persistent);
+            var job = new BuildResidentNodeJob { IsDamaged = isDamaged, Positions = new PlaneView(plane, shape, 1), Runs = runs };
+            job.Tree = new BoxTree { Eights = eights, LeafCount = PointRun.PerBlock };
+            job.Step = 1;
+            job.Execute();
+            var isFound = new bool[points];
+            bool isEnd = jump == 0;
+            for (int run = 0; run < PointRun.PerBlock; run++)
+            {
+                isEnd |= runs[run].First == jump;
+                Assert.That(runs[run].Count, Is.LessThanOrEqualTo(longest));
+                eights[0].Get(run, out var middle, out var half);
+                for (int i = runs[run].First; i < runs[run].First + runs[run].Count; i++)
+                {
+                    Assert.That(isFound[i], Is.False);
+                    isFound[i] = math.abs(BlockWriter.WideOf(values, 0)[i] - middle.x) <= half.x;
+                }
+            }
+            Assert.That(isFound, Is.All.True);
+            Assert.That(isEnd, Is.True);
         }
     }
 }
