@@ -13,6 +13,8 @@ namespace FastPoints.Surface
     {
         public const int SurfelsPerSlice = 1000; // A slice takes about 1.5 ms.
 
+        const int MaxSide = (int)SurfaceGrid.MaxHoleVoxels * 2 + 1;
+        const int MaxNear = MaxSide * MaxSide * MaxSide / 4; // Surfels that decide on a voxel.
         const int Sectors = 16;
         const int MaxEmptySectors = 6; // So many sectors in a row without a surfel may be wider than half a circle.
         const float MinDistance = 0.75f; // Closer than this there is a surfel already.
@@ -35,6 +37,7 @@ namespace FastPoints.Surface
             long begin = SliceTimes.Begin();
             int side = Grid.SideWithMargins, reach = math.max(1, Grid.HoleReach);
             var surfelOf = (int*)Memory.SurfelOf.GetUnsafePtr();
+            var near = stackalloc Surfel[MaxNear];
             for (int i = First; i < End; i++)
             {
                 int at = Memory.Voxels[i].At;
@@ -47,7 +50,7 @@ namespace FastPoints.Surface
                     if (math.any(place < reach) || math.any(place >= side - reach))
                         continue;
                     surfelOf[next] = SurfaceMemory.Rejected;
-                    if (IsOffPlaneOrTaken(next) || !TryClose(next, out var surfel))
+                    if (IsOffPlaneOrTaken(next) || !TryClose(next, near, out var surfel))
                         continue;
                     Memory.Voxels.Add(new SurfaceVoxel { At = next });
                     Memory.Surfels.Add(surfel);
@@ -82,12 +85,10 @@ namespace FastPoints.Surface
             return isOff || nearest < MinDistance * MinDistance;
         }
 
-        bool TryClose(int at, out Surfel surfel)
+        bool TryClose(int at, Surfel* near, out Surfel surfel)
         {
-            const int max = (int)SurfaceGrid.MaxHoleVoxels * 2 + 1;
             int side = Grid.SideWithMargins, reach = Grid.HoleReach, count = 0, nearest = -1;
             float maxDistanceSq = Grid.HoleVoxels * Grid.HoleVoxels, nearestSq = maxDistanceSq / 4;
-            var near = stackalloc Surfel[max * max * max / 4];
             var surfelOf = (int*)Memory.SurfelOf.GetUnsafePtr();
             var surfels = Memory.Surfels.GetUnsafePtr();
             surfel = default;
@@ -95,7 +96,7 @@ namespace FastPoints.Surface
                 for (int y = -reach; y <= reach; y++)
                 {
                     var row = surfelOf + at + side * (y + side * z);
-                    for (int x = -reach; x <= reach && count < max * max * max / 4; x++)
+                    for (int x = -reach; x <= reach && count < MaxNear; x++)
                     {
                         int number = row[x];
                         if (number <= 0 || number > Measured)

@@ -15,6 +15,7 @@ namespace FastPoints.Surface
         public const int RowsPerSlice = 20; // A slice of level ground, which lies in few layers, takes about a millisecond.
         internal const float HalfThickness = 0.1f; // From the plane to either face, in voxels.
         internal const float MaxFromSurfel = 0.9f; // A vertex is at most so far from the nearest surfel, in voxels.
+        const int MaxNear = 5 * 5 * 5; // Surfels within VertexReach.
         const float Radius = 2; // Surfels farther away do not move a vertex.
         public int First; // Rows of cubes, layer by layer, from those before the cell.
         public int End;
@@ -26,10 +27,11 @@ namespace FastPoints.Surface
         {
             long begin = SliceTimes.Begin();
             int rows = Grid.CellEdgeVoxels + 1;
+            var near = stackalloc Surfel[MaxNear];
             for (int i = First; i < End; i++)
             {
                 int row = i % rows, layer = i / rows;
-                AddVertices(row, layer);
+                AddVertices(row, layer, near);
                 // Cubes on all four sides of their edges have vertices now.
                 if (row > 0 && layer > 0)
                     AddTriangles(row - 1, layer - 1);
@@ -42,7 +44,7 @@ namespace FastPoints.Surface
 
         int RowAt(int row, int layer) => row + Grid.SideWithMargins * layer;
 
-        void AddVertices(int row, int layer)
+        void AddVertices(int row, int layer, Surfel* near)
         {
             int before = Grid.Margin - 1, cubes = Grid.CellEdgeVoxels + 1;
             int y = before + row, z = before + layer;
@@ -63,19 +65,18 @@ namespace FastPoints.Surface
                 if (corners == 0 || corners == 255)
                     continue;
                 var place = new int3(before + x, y, z);
-                var steps = (int3)math.round(PositionOfVertex(corners, place) * SurfaceGrid.StepsPerVoxel);
+                var steps = (int3)math.round(PositionOfVertex(corners, place, near) * SurfaceGrid.StepsPerVoxel);
                 Memory.Vertices.Add((place + -Grid.Margin) * SurfaceGrid.StepsPerVoxel + steps);
                 vertexOf[x] = Memory.Vertices.Length;
             }
         }
 
         /// <summary>Counted from the cube's corner, in voxels.</summary>
-        float3 PositionOfVertex(int corners, int3 place)
+        float3 PositionOfVertex(int corners, int3 place, Surfel* near)
         {
             const int reach = SurfaceGrid.VertexReach;
             int side = Grid.SideWithMargins, count = 0, nearest = 0;
             var middle = MiddleOfCuts(corners);
-            var near = stackalloc Surfel[(2 * reach + 1) * (2 * reach + 1) * (2 * reach + 1)];
             float closest = float.MaxValue;
             var surfelOf = (int*)Memory.SurfelOf.GetUnsafePtr() + place.x + side * (place.y + side * place.z);
             var surfels = Memory.Surfels.GetUnsafePtr();
@@ -135,20 +136,12 @@ namespace FastPoints.Surface
         /// <summary>The mean of the middles of the edges whose ends differ.</summary>
         static float3 MiddleOfCuts(int corners)
         {
-            float3 sum = default;
-            int cuts = 0;
-            for (int axis = 0; axis < 3; axis++)
-                for (int corner = 0; corner < 8; corner++)
-                {
-                    int other = corner | 1 << axis;
-                    if (other == corner || (corners >> corner & 1) == (corners >> other & 1))
-                        continue;
-                    var middle = new float3(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
-                    middle[axis] = 0.5f;
-                    sum += middle;
-                    cuts++;
-                }
-            return sum / cuts;
+            // Edges along each axis, as bits of the corners that they begin at.
+            uint all = (uint)corners, x = (all ^ all >> 1) & 0x55, y = (all ^ all >> 2) & 0x33, z = (all ^ all >> 4) & 0x0F;
+            int alongX = math.countbits(x), alongY = math.countbits(y), alongZ = math.countbits(z);
+            return new float3(0.5f * alongX + math.countbits(y & 0xAA) + math.countbits(z & 0xAA),
+                0.5f * alongY + math.countbits(x & 0xCC) + math.countbits(z & 0xCC),
+                0.5f * alongZ + math.countbits(x & 0xF0) + math.countbits(y & 0xF0)) / (alongX + alongY + alongZ);
         }
 
         /// <summary>Across the edges from a row of the cell's lattice points, of a layer whose cubes have vertices.</summary>
