@@ -95,8 +95,8 @@ namespace FastPoints.Queries
         readonly void Test(Grid3 steps, int index, ref HitHeap hits)
         {
             var offset = ToDouble(steps) * Step;
-            if (!Space.Holds(m_block.FromOriginWorld + Space.ToWorldVector(offset), out double distance, out double rayDistanceSq) ||
-                distance > hits.Limit)
+            var fromOrigin = m_block.FromOriginWorld + Space.ToWorldVector(offset);
+            if (!Space.Holds(fromOrigin, out double distance, out double rayDistanceSq) || distance > hits.Limit)
                 return;
             if (!Hidden.IsEmpty && Hidden.Has((byte)Classes.ValueAt(m_block.Index, 0, index)) ||
                 ClipCount > 0 && !LocalClip.MayKeep(Clips, ClipCount, m_block.Local + offset, 0))

@@ -56,7 +56,7 @@ namespace FastPoints.Store
         {
             if (X86.Avx2.IsAvx2Supported)
             {
-                // Eight offsets begin with a byte, and end in the 32 that are read.
+                // Eight offsets begin with a byte, and end in the 32 bytes that are read.
                 byte* end = (byte*)(Packed(block, 2) + PlaneShape.WordsOf(first + count, WidthOf(block, 2)));
                 if (end + 32 > Words + Descriptor(BlockCount - 1)[0])
                 {
@@ -68,7 +68,7 @@ namespace FastPoints.Store
                     lanes[lane] = lane;
                 v256 lane8 = X86.Avx.mm256_loadu_si256(lanes), one = X86.Avx.mm256_set1_epi32(1);
                 byte* words = (byte*)(Words + Descriptor(block)[0]);
-                for (int column = 0; column < 3; column++)
+                for (int column = 0; column < 3; column++, offsets += stride)
                 {
                     int width = WidthOf(block, column);
                     var bits = X86.Avx2.mm256_madd_epi16(lane8, X86.Avx.mm256_set1_epi32(width));
@@ -80,9 +80,9 @@ namespace FastPoints.Store
                     for (int i = 0; i < count; i += 8)
                     {
                         var eight = X86.Avx.mm256_loadu_si256(words + ((first + i) >> 3) * width);
-                        X86.Avx.mm256_storeu_si256(offsets + column * stride + i, X86.Avx.mm256_and_ps(mask, X86.Avx2.mm256_or_si256(
-                            X86.Avx2.mm256_srlv_epi32(X86.Avx2.mm256_permutevar8x32_epi32(eight, low), right),
-                            X86.Avx2.mm256_sllv_epi32(X86.Avx2.mm256_permutevar8x32_epi32(eight, high), left))));
+                        var lows = X86.Avx2.mm256_srlv_epi32(X86.Avx2.mm256_permutevar8x32_epi32(eight, low), right);
+                        var highs = X86.Avx2.mm256_sllv_epi32(X86.Avx2.mm256_permutevar8x32_epi32(eight, high), left);
+                        X86.Avx.mm256_storeu_si256(offsets + i, X86.Avx.mm256_and_ps(mask, X86.Avx2.mm256_or_si256(lows, highs)));
                     }
                     words += PlaneShape.WordsOf(PointsOf(block), width) * sizeof(uint);
                 }
