@@ -132,6 +132,20 @@ public sealed class EditToolTests : SceneToolFixture
         Assert.That(logged, isEnded ? Has.One.Contains("is being written by") : Is.Empty);
     }
 
+    [Test]
+    public void EditSession_CloudConvertedAnewDuringAStroke_SaysSoAndWritesNothing()
+    {
+        using var session = new EditSession { Radius = 3 };
+        Drag(session, Down());
+        var manifest = Shown.Folder.Manifest;
+        manifest.CloudId ^= 1;
+        session.EndStroke();
+        session.Update(10);
+        manifest.CloudId ^= 1;
+        Assert.That(session.Note, Does.Contain("converted anew"));
+        Assert.That((session.Stroke.Count, EditQueue.IsBusy, Journal.Count), Is.EqualTo((0, false, 0)));
+    }
+
     /// <summary>Classes are not drawn here: nothing is made to show them. Notes of picks stay.</summary>
     [Test]
     public void EditSession_StrokeOfWhatIsNotDrawn_HasNoDraft()

@@ -23,6 +23,7 @@ namespace FastPoints.Editor
         readonly List<StreamPick> m_stroke = new List<StreamPick>();
         Entity m_entity; // Of the stroke.
         string m_journal; // Of its cloud.
+        ulong m_cloudId; // Its grid positions are of this conversion.
         EditOperation m_draft; // What is shown of it; null if nothing can be.
         int m_draftLength;
         double m_nextDraft; // Not before: the picker opens each state anew.
@@ -69,7 +70,9 @@ namespace FastPoints.Editor
             if (!m_isEnding || m_hasNext || m_picker.IsSearching)
                 return isNew;
             var shown = m_stroke.Count > 0 ? FindShown() : null;
-            if (m_stroke.Count > 0 && CanEdit(shown) && Begin(shown, AddStroke(shown, NewOperation())))
+            if (shown != null && IdOf(shown) != m_cloudId)
+                Note = "the cloud was converted anew meanwhile";
+            else if (m_stroke.Count > 0 && CanEdit(shown) && Begin(shown, AddStroke(shown, NewOperation())))
                 m_draft = null; // It is shown until it is written.
             ClearStroke();
             return true;
@@ -142,7 +145,8 @@ namespace FastPoints.Editor
                 m_hasNext = !m_isEnding; // Another state was shown meanwhile.
                 return false;
             }
-            m_journal = m_stroke.Count == 0 ? EditJournal.PathOf(pick.Path) : m_journal;
+            if (m_stroke.Count == 0)
+                (m_journal, m_cloudId) = (EditJournal.PathOf(pick.Path), IdOf(FindShown()));
             m_stroke.Add(pick);
             return true;
         }
@@ -155,11 +159,13 @@ namespace FastPoints.Editor
             return number < 0 ? null : group.Stream.Clouds[number];
         }
 
+        static ulong IdOf(StreamedCloud shown) => (shown?.Source as FolderSource)?.Folder.Manifest.CloudId ?? 0;
+
         // One state after the other: each is shown before the next begins.
         void ShowStroke()
         {
             var shown = FindShown();
-            if (!IsEditable(shown))
+            if (!IsEditable(shown) || IdOf(shown) != m_cloudId)
                 return;
             var source = (FolderSource)shown.Source;
             bool isThere = EditJournal.DraftAt(m_journal) == m_draft;
