@@ -75,6 +75,22 @@ public sealed class PointCloudGroundTests : ScratchTests
         return bodies.ToArray();
     }
 
+    unsafe CollisionFilter[] Filters() => Bodies()
+        .Select(body => ((Collider*)m_entities.GetComponentData<PhysicsCollider>(body).Value.GetUnsafePtr())->Filter).ToArray();
+
+    [Test]
+    public void Filter_ThatIsChanged_IsThatOfEachBodyMadeAnew()
+    {
+        Put(0);
+        Assert.That(Filters(), Is.Not.Empty.And.All.EqualTo(CollisionFilter.Default));
+        var ground = m_entities.GetComponentData<PointCloudGround>(m_cloud);
+        ground.Filter = new CollisionFilter { BelongsTo = 4, CollidesWith = 3, GroupIndex = -7 };
+        m_entities.SetComponentData(m_cloud, ground);
+        Steps(1);
+        Put(0);
+        Assert.That(Filters(), Is.Not.Empty.And.All.EqualTo(ground.Filter));
+    }
+
     unsafe List<(float3 A, float3 B, float3 C)> Triangles()
     {
         var all = new List<(float3 A, float3 B, float3 C)>();

@@ -32,6 +32,9 @@ namespace FastPoints.Surface
         public int MaxTriangles;
         public int CacheMegabytes;
 
+        /// <summary>Which bodies its bodies collide with, and which queries find them.</summary>
+        public CollisionFilter Filter;
+
         /// <summary>Time of the main thread in each step of physics, in ms, while cells are made.</summary>
         public float StepMs;
 
@@ -43,6 +46,7 @@ namespace FastPoints.Surface
             MaxCells = 256,
             MaxTriangles = 1_000_000,
             CacheMegabytes = 256,
+            Filter = CollisionFilter.Default,
             StepMs = 0.5f,
         };
 
@@ -187,13 +191,15 @@ namespace FastPoints.Surface
         readonly EntityManager m_entities;
         readonly MakeGroundSystem m_system;
         readonly double3x3 m_linear;
+        readonly CollisionFilter m_filter;
 
         public BodyColliders(in OpenedSurface opened, in PointCloudGround made, in UnityLocalSpace space, in double4x4 toWorld,
             MakeGroundSystem system) : base(opened, GridOf(made.VoxelSize, made.HoleSize), made.HiddenClasses, space) =>
-            (m_entities, m_system, m_linear) = (system.EntityManager, system, LinearOf(toWorld));
+            (m_entities, m_system, m_linear, m_filter) = (system.EntityManager, system, LinearOf(toWorld), made.Filter);
 
         public bool IsMadeBy(in PointCloudGround made, in UnityLocalSpace space, in double4x4 toWorld) =>
-            IsMadeBy(GridOf(made.VoxelSize, made.HoleSize), made.HiddenClasses, space) && m_linear.Equals(LinearOf(toWorld));
+            IsMadeBy(GridOf(made.VoxelSize, made.HoleSize), made.HiddenClasses, space) && m_linear.Equals(LinearOf(toWorld)) &&
+            m_filter.Equals(made.Filter);
 
         /// <summary>Why bodies would have gaps; null if they would not.</summary>
         public static string FindProblem(in PointCloudGround made, in double4x4 toWorld)
@@ -217,7 +223,7 @@ namespace FastPoints.Surface
         protected override IEnumerator<JobStep> Show(SurfaceCell cell, PackedSurface surface)
         {
             var made = new NativeReference<BlobAssetReference<Collider>>(Allocator.Persistent);
-            var job = new CreateColliderJob { Linear = m_linear, Surface = surface, Made = made }.Schedule();
+            var job = new CreateColliderJob { Linear = m_linear, Surface = surface, Filter = m_filter, Made = made }.Schedule();
             bool isShown = false;
             try
             {
@@ -260,6 +266,7 @@ namespace FastPoints.Surface
     {
         public double3x3 Linear;
         [ReadOnly] public PackedSurface Surface;
+        public CollisionFilter Filter;
         public NativeReference<BlobAssetReference<Collider>> Made;
 
         public void Execute()
@@ -267,7 +274,7 @@ namespace FastPoints.Surface
             var vertices = new NativeArray<float3>(Surface.Vertices, Allocator.Temp);
             for (int i = 0; i < vertices.Length; i++)
                 vertices[i] = (float3)math.mul(Linear, new double3(vertices[i]));
-            Made.Value = MeshCollider.Create(vertices, Surface.Triangles);
+            Made.Value = MeshCollider.Create(vertices, Surface.Triangles, Filter);
         }
     }
 }
