@@ -1,5 +1,3 @@
-using FastPoints.Nodes;
-
 namespace FastPoints.Cli.Cluster;
 
 /// <summary>PLAN.json: what all tasks of a build over many machines share. What a task needs besides is in a file of its own, in

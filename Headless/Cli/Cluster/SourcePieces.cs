@@ -1,5 +1,3 @@
-using FastPoints.Nodes;
-
 namespace FastPoints.Cli.Cluster;
 
 /// <summary>Consecutive blocks of a file whose points lie in a box.</summary>

@@ -6,14 +6,13 @@ sealed class TaskRun : IDisposable
     const string PartFolder = "part";
     const long HashedBytes = 64 << 20;
 
-    readonly CliRun m_run;
     readonly ConvertSettings m_settings;
     readonly string? m_scratchRoot;
     TaskScratch? m_scratch;
 
     public TaskRun(BuildPlan plan, string name, string? memory, string? scratch, CliRun run)
     {
-        (Plan, Name, m_run, m_scratchRoot) = (plan, name, run, scratch);
+        (Plan, Name, Run, m_scratchRoot) = (plan, name, run, scratch);
         (Cloud, Parsed) = CloudSettings.Parse(plan.Settings, plan.Path);
         m_settings = Cloud.Read(Parsed);
         Memory.Limit(m_settings, memory ?? plan.Estimate.MemoryBytes.ToString(CultureInfo.InvariantCulture));
@@ -27,7 +26,7 @@ sealed class TaskRun : IDisposable
     public ObjectStore Store { get; }
     public CloudSettings Cloud { get; }
     public ParseResult Parsed { get; }
-    public CliRun Run => m_run;
+    public CliRun Run { get; }
 
     public List<string> Missing { get; } = [];
 
@@ -75,7 +74,7 @@ sealed class TaskRun : IDisposable
         PartResult? result = null;
         using var stop = new CancellationTokenSource();
         // Set before cancelling: the build keeps its files if it was stopped, not if it failed.
-        using var stopping = m_run.Cancellation.Register(() =>
+        using var stopping = Run.Cancellation.Register(() =>
         {
             m_settings.KeepUnfinished = true;
             stop.Cancel();
@@ -85,7 +84,7 @@ sealed class TaskRun : IDisposable
             Folder = Scratch[folder],
             Settings = m_settings,
             Take = r => result = r,
-            Progress = m_run.Progress,
+            Progress = Run.Progress,
         }), stop.Token);
         return result;
     }
@@ -115,12 +114,12 @@ sealed class TaskRun : IDisposable
     public TaskMarker Put(IEnumerable<(string Name, string Path)> files, PartResult result, long points,
         IReadOnlyList<TaskMarker.Range>? ranges = null)
     {
-        m_run.Progress.Begin("put");
+        Run.Progress.Begin("put");
         var all = files.OrderBy(f => f.Name, StringComparer.Ordinal).ToArray();
         var objects = new TaskMarker.StoredObject[all.Length];
         Store.ForEach(Enumerable.Range(0, all.Length), i =>
         {
-            m_run.Cancellation.ThrowIfCancellationRequested();
+            Run.Cancellation.ThrowIfCancellationRequested();
             objects[i] = new TaskMarker.StoredObject(all[i].Name, StoreFile.SizeOf(all[i].Path),
                 HashOf(all[i].Path, 0, long.MaxValue));
             Store.Put(all[i].Name, all[i].Path);
@@ -136,7 +135,7 @@ sealed class TaskRun : IDisposable
         };
         Store.PutText(TaskMarker.NameOf(Name), marker.ToText(Plan), Scratch.Folder);
         Scratch.IsDone = true;
-        m_run.Progress.End();
+        Run.Progress.End();
         return marker;
     }
 

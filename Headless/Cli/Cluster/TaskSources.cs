@@ -1,5 +1,3 @@
-using System.CommandLine.Parsing;
-
 namespace FastPoints.Cli.Cluster;
 
 /// <summary>The sources of a task, opened as the plan opened all of them, and the blocks that it reads.</summary>

@@ -172,23 +172,14 @@ sealed class PartBuild : PartStages
             load.Begin(ranges, first, count, blocks);
             yield return load.Done;
             var pages = load.Complete();
-            var checkedRecords = CheckRecordsJob.Schedule(new CheckRecordsJob
+            yield return JobStep.Of(JobStep.Await(CheckRecordsJob.Schedule(new CheckRecordsJob
             {
                 SliceTimes = Build.SliceTimes,
                 Pages = pages,
                 Layout = Build.RecordLayout,
                 Cube = Build.Part.Cube,
                 Outside = outside,
-            }, default);
-            try
-            {
-                yield return checkedRecords;
-            }
-            finally
-            {
-                // Who cancels frees the pages.
-                checkedRecords.Complete();
-            }
+            }, default)));
             var all = chunks[0];
             all.Join(ref pages);
             chunks[0] = all;

@@ -13,9 +13,11 @@ public sealed class SampleMethods(Func<PointReader> open, PreviewOptions options
         int wanted = refines ? RefiningSampler.FirstSamplePoints(reader, options.Points) : options.Points;
         var watch = Stopwatch.StartNew();
         using var sampler = new PreviewWaveSampler(reader, wanted, options.Seed);
+        var waves = new List<PreviewSample.Wave>();
+        sampler.WaveReady += waves.Add;
         run.RunSteps(sampler.Run(0, run.Progress));
         var sample = sampler.TakeSample();
-        foreach (var wave in sampler.Waves)
+        foreach (var wave in waves)
             measured.Add(wave, secondsToOpen, sample.Points);
         if (!refines || sample.HasAllPoints)
             return measured;

@@ -13,15 +13,13 @@ sealed class FilterPolygons : IDisposable
 {
     readonly List<FilterEdge> m_edges = new List<FilterEdge>();
     readonly List<(int Polygon, double2[] Vertices)> m_rings = new List<(int, double2[])>();
-    double2 m_min = new double2(double.PositiveInfinity, double.PositiveInfinity);
-    double2 m_max = new double2(double.NegativeInfinity, double.NegativeInfinity);
     int m_polygons;
 
     FilterPolygons() { }
 
     public IReadOnlyList<(int Polygon, double2[] Vertices)> Rings => m_rings;
-    public double2 Min => m_min;
-    public double2 Max => m_max;
+    public double2 Min { get; private set; } = new double2(double.PositiveInfinity, double.PositiveInfinity);
+    public double2 Max { get; private set; } = new double2(double.NegativeInfinity, double.NegativeInfinity);
 
     /// <summary>The first edge of each slab among <see cref="RelativeEdgesOfSlabs"/>, and one more entry.</summary>
     public NativeArray<int> FirstOfSlab { get; private set; }
@@ -29,7 +27,7 @@ sealed class FilterPolygons : IDisposable
     public NativeArray<FilterEdge> RelativeEdgesOfSlabs { get; private set; } // By slab, in each by polygon.
 
     public unsafe ulong Hash => ContentHash.Of(RelativeEdgesOfSlabs.GetUnsafeReadOnlyPtr(),
-        (long)RelativeEdgesOfSlabs.Length * sizeof(FilterEdge)) ^ math.asulong(m_min.x) ^ 2 * math.asulong(m_min.y);
+        (long)RelativeEdgesOfSlabs.Length * sizeof(FilterEdge)) ^ math.asulong(Min.x) ^ 2 * math.asulong(Min.y);
 
     /// <param name="polygons">Rings of each; an open one is closed.</param>
     /// <exception cref="FormatException">There are no vertices, or one is not finite.</exception>
@@ -64,8 +62,8 @@ sealed class FilterPolygons : IDisposable
         {
             if (!math.isfinite(points[i].x) || !math.isfinite(points[i].y))
                 throw new FormatException("wanted finite coordinates");
-            m_min = new double2(math.min(m_min.x, points[i].x), math.min(m_min.y, points[i].y));
-            m_max = new double2(math.max(m_max.x, points[i].x), math.max(m_max.y, points[i].y));
+            Min = new double2(math.min(Min.x, points[i].x), math.min(Min.y, points[i].y));
+            Max = new double2(math.max(Max.x, points[i].x), math.max(Max.y, points[i].y));
             m_edges.Add(new FilterEdge { From = points[i], To = points[(i + 1) % points.Length], Polygon = m_polygons });
         }
     }
@@ -88,8 +86,8 @@ sealed class FilterPolygons : IDisposable
             for (int slab = FirstSlab(edge, slabs); slab <= LastSlab(edge, slabs); slab++)
                 edges[next[slab]++] = new FilterEdge
                 {
-                    From = edge.From - m_min,
-                    To = edge.To - m_min,
+                    From = edge.From - Min,
+                    To = edge.To - Min,
                     Polygon = edge.Polygon,
                 };
         FirstOfSlab = first;
@@ -107,10 +105,10 @@ sealed class FilterPolygons : IDisposable
 
     // A slab more on either side: a point next to an edge is rounded into another.
     int FirstSlab(in FilterEdge edge, int slabs) =>
-        math.max(0, SlabOf(math.min(edge.From.y, edge.To.y) - m_min.y, m_max.y - m_min.y, slabs) - 1);
+        math.max(0, SlabOf(math.min(edge.From.y, edge.To.y) - Min.y, Max.y - Min.y, slabs) - 1);
 
     int LastSlab(in FilterEdge edge, int slabs) =>
-        math.min(slabs - 1, SlabOf(math.max(edge.From.y, edge.To.y) - m_min.y, m_max.y - m_min.y, slabs) + 1);
+        math.min(slabs - 1, SlabOf(math.max(edge.From.y, edge.To.y) - Min.y, Max.y - Min.y, slabs) + 1);
 
     public static int SlabOf(double yFromMin, double height, int slabs) =>
         height > 0 ? (int)math.clamp(yFromMin / height * slabs, 0, slabs - 1) : 0;

@@ -58,6 +58,16 @@ public abstract class PipelineFixture() : GpuCloudFixture(30_000)
         };
     }
 
+    // As a project has them, without those for progressive pictures and for nodes' buffers.
+    internal static PointCloudResources AddResources(GpuShaders shaders)
+    {
+        var resources = ScriptableObject.CreateInstance<PointCloudResources>();
+        (resources.Points, resources.Compose) = (shaders.Points, shaders.Compose);
+        (resources.Raster, resources.CopyPages) = (shaders.Raster, shaders.CopyPages);
+        Resources.Assets[PointCloudResources.Path] = resources;
+        return resources;
+    }
+
     [TearDown]
     public void EndWorld()
     {

@@ -14,11 +14,7 @@ public sealed class PlayModeRunTests : GraphicsFixture
         m_world = World.DefaultGameObjectInjectionWorld = new World("default");
         DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup).Assembly.GetTypes()
             .Where(t => typeof(SystemBase).IsAssignableFrom(t) && !t.IsAbstract).ToArray());
-        var shaders = new GpuShaders();
-        var resources = ScriptableObject.CreateInstance<PointCloudResources>();
-        (resources.Points, resources.Compose) = (shaders.Points, shaders.Compose);
-        (resources.Raster, resources.CopyPages) = (shaders.Raster, shaders.CopyPages);
-        Resources.Assets[PointCloudResources.Path] = resources;
+        PipelineFixture.AddResources(new GpuShaders());
     }
 
     [TearDown]

@@ -14,13 +14,7 @@ public sealed class SelfStartTests : GraphicsFixture
             .Where(t => typeof(SystemBase).IsAssignableFrom(t) && !t.IsAbstract).ToArray();
         DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, systems);
         var shaders = new GpuShaders();
-        var resources = ScriptableObject.CreateInstance<PointCloudResources>();
-        resources.Points = shaders.Points;
-        resources.Compose = shaders.Compose;
-        resources.Raster = shaders.Raster;
-        resources.Progressive = shaders.Progressive;
-        resources.CopyPages = shaders.CopyPages;
-        Resources.Assets[PointCloudResources.Path] = resources;
+        PipelineFixture.AddResources(shaders).Progressive = shaders.Progressive;
         BuiltInPass.Begin();
     }
 

@@ -173,10 +173,7 @@ public sealed class TargetTests : PipelineFixture
         Debug.s_sink = (type, text) => logged.Add(text);
         HeadlessGraphics.HasNoCompute = hasNoCompute;
         HeadlessGraphics.VertexBuffers = vertexBuffers;
-        var shaders = new GpuShaders();
-        var resources = ScriptableObject.CreateInstance<PointCloudResources>();
-        (resources.Points, resources.Compose, resources.CopyPages) = (shaders.Points, shaders.Compose, shaders.CopyPages);
-        Resources.Assets[PointCloudResources.Path] = resources;
+        AddResources(new GpuShaders()).Raster = null;
         PointScene.Current = null;
         using var world = new World("without");
         try
@@ -210,10 +207,7 @@ public sealed class TargetTests : PipelineFixture
     [Test]
     public void Update_SecondWorldThatDraws_WaitsUntilTheFirstEnds()
     {
-        var shaders = new GpuShaders();
-        var resources = ScriptableObject.CreateInstance<PointCloudResources>();
-        (resources.Points, resources.Compose, resources.CopyPages) = (shaders.Points, shaders.Compose, shaders.CopyPages);
-        Resources.Assets[PointCloudResources.Path] = resources;
+        AddResources(new GpuShaders()).Raster = null;
         PointScene.Current = null;
         var worlds = new[] { "server", "client", "second client" }.Select(n => new World(n)).ToArray();
         World.DefaultGameObjectInjectionWorld = worlds[0];

@@ -34,7 +34,7 @@ sealed class LateReadTests : RemoteFixture
             }),
         }, bytes.Length);
         void Copy(int at, byte[] into, int offset, int count) => Array.Copy(bytes, at, into, offset, count);
-        RangeExchange.CloseClient();
+        CloseClient();
 
         var file = RemoteFile.Open(Server.Of("a.bin"));
         byte[] read = Read(file, 100_000, 30_000);

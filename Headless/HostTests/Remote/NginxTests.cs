@@ -103,7 +103,7 @@ sealed class NginxTests : RemoteFixture
         Make("a.las", 100_000);
         Begin();
         RangeExchange.CreateHandler = null;
-        RangeExchange.CloseClient();
+        CloseClient();
         string address = $"https://127.0.0.1:{m_nginx.TlsPort}/a.las" + Secret;
 
         Exception failure = Try(() => RemoteFile.Open(address));

@@ -45,12 +45,14 @@ abstract class RemoteFixture
     {
         AwaitCache();
         HttpFile.Forget();
-        RangeExchange.CloseClient();
+        CloseClient();
         RemoteStatistics.Reset();
         (string folder, RemoteAccess.CacheFolder) = (RemoteAccess.CacheFolder, Scratch["no cache"]);
         _ = RangeCache.Current; // Closes the one before.
         RemoteAccess.CacheFolder = folder;
     }
+
+    protected static void CloseClient() => Interlocked.Exchange(ref RangeExchange.s_client, null)?.Dispose();
 
     // Who reads does not wait until what came is in the cache.
     protected static void AwaitCache() => SpinWait.SpinUntil(() => RangeQueue.InFlight == 0, 10_000);

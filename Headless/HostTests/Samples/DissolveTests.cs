@@ -21,10 +21,7 @@ public sealed class DissolveTests : GraphicsFixture
         DefaultWorldInitialization.AddSystemsToRootLevelSystemGroups(m_world, typeof(PointCloudSystemGroup).Assembly.GetTypes()
             .Where(t => typeof(SystemBase).IsAssignableFrom(t) && !t.IsAbstract).ToArray());
         var shaders = new GpuShaders();
-        var resources = ScriptableObject.CreateInstance<PointCloudResources>();
-        (resources.Points, resources.Compose, resources.Raster) = (shaders.Points, shaders.Compose, shaders.Raster);
-        (resources.CopyPages, resources.Gather) = (shaders.CopyPages, shaders.Gather);
-        Resources.Assets[PointCloudResources.Path] = resources;
+        Gpu.PipelineFixture.AddResources(shaders).Gather = shaders.Gather;
         BuiltInPass.Begin();
         SceneLoop.IsPlaying = true;
         m_target = new RenderTexture(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);

@@ -25,11 +25,7 @@ public sealed class WalkTests : GraphicsFixture
         m_project = new EditorProject();
         m_target = new RenderTexture(WidthPx, HeightPx, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.D32_SFloat);
         m_target.Create();
-        var shaders = new GpuShaders();
-        var resources = ScriptableObject.CreateInstance<PointCloudResources>();
-        (resources.Points, resources.Compose) = (shaders.Points, shaders.Compose);
-        (resources.Raster, resources.CopyPages) = (shaders.Raster, shaders.CopyPages);
-        Resources.Assets[PointCloudResources.Path] = resources;
+        Gpu.PipelineFixture.AddResources(new GpuShaders());
         Application.PlayerFiles = m_project.Scratch["player"];
         Directory.CreateDirectory(Application.PlayerFiles);
         MakeWorld();

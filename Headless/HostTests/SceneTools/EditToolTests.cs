@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace FastPoints.HostTests.SceneTools;
 
 public sealed class EditToolTests : SceneToolFixture

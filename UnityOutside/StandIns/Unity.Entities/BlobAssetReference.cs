@@ -1,5 +1,3 @@
-using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
 
 namespace Unity.Entities;
 

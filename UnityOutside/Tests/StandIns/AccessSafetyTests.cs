@@ -1,5 +1,4 @@
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
-using StandIns.Memory;
 
 namespace UnityOutside.Tests.StandIns;
 

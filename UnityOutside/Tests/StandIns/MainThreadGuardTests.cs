@@ -1,6 +1,4 @@
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
-using Mono.Cecil.Cil;
-using Unity.Jobs.LowLevel.Unsafe;
 
 namespace UnityOutside.Tests.StandIns;
 

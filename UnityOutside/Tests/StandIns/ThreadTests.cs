@@ -1,7 +1,4 @@
 #if ENABLE_UNITY_COLLECTIONS_CHECKS
-using StandIns.Memory;
-using Unity.IO.LowLevel.Unsafe;
-using Unity.Jobs.LowLevel.Unsafe;
 
 namespace UnityOutside.Tests.StandIns;
 

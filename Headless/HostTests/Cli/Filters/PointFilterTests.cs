@@ -24,9 +24,9 @@ public class PointFilterTests
     [Test]
     public void EveryNth_OfASource_CountsFromItsFirstPoint([Values(1, 2, 7, 20000)] int nth, [Values(0, 3, 8191)] int first)
     {
-        using (var batch = Points(20000, i => new double3(i, 0, 0)))
-            Assert.That(Left(new PointFilter { EveryNth = nth }, batch, first)
-                .Select(p => (int)p.x), Is.EqualTo(Enumerable.Range(0, 20000).Where(i => (i + first) % nth == 0)));
+        using var batch = Points(20000, i => new double3(i, 0, 0));
+        Assert.That(Left(new PointFilter { EveryNth = nth }, batch, first)
+            .Select(p => (int)p.x), Is.EqualTo(Enumerable.Range(0, 20000).Where(i => (i + first) % nth == 0)));
     }
 
     /// <summary>Exact, for whole numbers: an even-odd count of each polygon's rings, whose edges belong.</summary>
@@ -66,11 +66,9 @@ public class PointFilterTests
             .ToArray();
         var polygons = Enumerable.Range(0, random.Next(1, 5)).Select(_ =>
             Enumerable.Range(0, random.Next(1, 4)).Select(__ => Ring()).ToArray()).ToArray();
-        using (var batch = Points(20000, _ => new double3(random.Next(-1, size + 1), random.Next(-1, size + 1), 0)))
-        {
-            var all = Enumerable.Range(0, batch.Count).Select(i => PositionAt(batch, i)).ToList();
-            Assert.That(Left(new PointFilter { Polygons = Of(polygons) }, batch), Is.EqualTo(all.Where(p => IsIn(polygons, p))));
-        }
+        using var batch = Points(20000, _ => new double3(random.Next(-1, size + 1), random.Next(-1, size + 1), 0));
+        var all = Enumerable.Range(0, batch.Count).Select(i => PositionAt(batch, i)).ToList();
+        Assert.That(Left(new PointFilter { Polygons = Of(polygons) }, batch), Is.EqualTo(all.Where(p => IsIn(polygons, p))));
     }
 
     [Test]
@@ -87,12 +85,12 @@ public class PointFilterTests
     [Test]
     public void Polygon_PositionsWithoutANumber_AreOutside()
     {
-        using (var batch = TestBatches.OfPositions(new double3(double.NaN, 1, 0), new double3(1, double.NaN, 0),
-            new double3(1, double.PositiveInfinity, 0), new double3(1, 1, double.NaN)))
-            Assert.That(Left(new PointFilter
-            {
-                Polygons = Of(new[] { new[] { new[] { default, new int2(2, 0), new int2(2, 2), new int2(0, 2) } } }),
-            }, batch).Count, Is.EqualTo(1));
+        using var batch = TestBatches.OfPositions(new double3(double.NaN, 1, 0), new double3(1, double.NaN, 0),
+            new double3(1, double.PositiveInfinity, 0), new double3(1, 1, double.NaN));
+        Assert.That(Left(new PointFilter
+        {
+            Polygons = Of(new[] { new[] { new[] { default, new int2(2, 0), new int2(2, 2), new int2(0, 2) } } }),
+        }, batch).Count, Is.EqualTo(1));
     }
 
     [Test]

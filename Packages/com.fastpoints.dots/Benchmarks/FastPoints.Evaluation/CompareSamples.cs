@@ -35,7 +35,6 @@ namespace FastPoints.Evaluation
         CellOccupancy m_cloud;
         NativeArray<double3> m_queries;
         int m_queryCount;
-        long m_pointCount;
         ErrorGrid m_grid;
 
         public CompareSamples(PointReader reader, PictureOptions options, int widthPx = DefaultWidthPx,
@@ -57,7 +56,7 @@ namespace FastPoints.Evaluation
         /// <summary>All points as samples are drawn, with one sample a pixel: the error of the pixels alone.</summary>
         internal ImageError Floor { get; private set; }
 
-        public long PointCount => m_pointCount;
+        public long PointCount { get; private set; }
 
         public IEnumerator<JobStep> Prepare(StageProgress progress)
         {
@@ -78,7 +77,7 @@ namespace FastPoints.Evaluation
 
         IEnumerator<JobStep> Prepare(PreviewSample sample, StageProgress progress)
         {
-            m_pointCount = sample.PointsInSource;
+            PointCount = sample.PointsInSource;
             var ranges = new DisplayRanges();
             yield return JobStep.Of(ranges.Measure(sample.Points, sample.Transform, m_options.UpAxis));
             m_grid = new ErrorGrid(ranges.Robust);
@@ -111,7 +110,7 @@ namespace FastPoints.Evaluation
             progress?.Begin("reference");
             m_cloud = new CellOccupancy(Allocator.Persistent);
             using var pass = new ReferencePass(m_reader, m_grid, m_plans, m_cloud, WidthPx, HeightPx);
-            yield return JobStep.Of(pass.ChooseSizes(sample.Points, m_pointCount));
+            yield return JobStep.Of(pass.ChooseSizes(sample.Points, PointCount));
             yield return JobStep.Of(pass.Run(progress));
             yield return JobStep.Of(pass.Resolve());
             FullViews = pass.SmoothImages;
@@ -128,7 +127,7 @@ namespace FastPoints.Evaluation
             RgbaImage[] viewsAtSameCount, SampleError error)
         {
             error.Points = count;
-            error.Fraction = m_pointCount == 0 ? 1 : count / (double)m_pointCount;
+            error.Fraction = PointCount == 0 ? 1 : count / (double)PointCount;
             yield return JobStep.Of(MeasureDistances(points, count, transform, error));
             yield return JobStep.Of(MeasureCells(points, count, transform, error));
 

@@ -148,12 +148,8 @@ namespace FastPoints.Evaluation
                 double nearSq = nodes[near].DistanceSq(query), farSq = nodes[far].DistanceSq(query);
                 if (farSq < nearSq)
                 {
-                    int swap = near;
-                    near = far;
-                    far = swap;
-                    double swapSq = nearSq;
-                    nearSq = farSq;
-                    farSq = swapSq;
+                    (near, far) = (far, near);
+                    (nearSq, farSq) = (farSq, nearSq);
                 }
                 waiting[depth] = far;
                 distanceSqOfWaiting[depth++] = farSq;

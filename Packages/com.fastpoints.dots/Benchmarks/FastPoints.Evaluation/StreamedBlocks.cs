@@ -12,10 +12,8 @@ namespace FastPoints.Evaluation
 {
     internal sealed unsafe class StreamedBlocks : IDisposable
     {
-        readonly StreamContext m_stream;
         readonly MemoryNodePool m_pool;
         readonly int m_cloud;
-        readonly PicturePlan m_plan;
         readonly PointBatch m_block;
         readonly PointColumn m_classes;
         NativeList<LocalClip> m_clips;
@@ -24,11 +22,11 @@ namespace FastPoints.Evaluation
 
         internal StreamedBlocks(StreamContext stream, int cloud, PicturePlan plan)
         {
-            m_stream = stream;
+            Stream = stream;
             m_pool = stream.Pool as MemoryNodePool ?? throw new ArgumentException(
                 "wanted a pool in ordinary memory, got " + stream.Pool.GetType().Name, nameof(stream));
             m_cloud = cloud;
-            m_plan = plan;
+            Plan = plan;
             var layout = stream.Clouds[cloud].Source.Layout;
             var attributes = new List<PointAttribute>(PositionColumns.Attributes(AttributeType.Float64));
             var columns = new List<StoredColumn>();
@@ -57,16 +55,16 @@ namespace FastPoints.Evaluation
             m_clips = new NativeList<LocalClip>(Allocator.Persistent);
         }
 
-        public StreamContext Stream => m_stream;
-        public PicturePlan Plan => m_plan;
+        public StreamContext Stream { get; }
+        public PicturePlan Plan { get; }
 
         /// <summary>Classes whose points are not drawn; the source must stream the classification.</summary>
         public ClassMask HiddenClasses { get; }
 
         internal PointDrawing DrawingFor(in Camera camera, PictureCanvas canvas)
         {
-            var cloud = m_stream.Clouds[m_cloud];
-            var drawing = m_plan.DrawingOf(m_block, canvas);
+            var cloud = Stream.Clouds[m_cloud];
+            var drawing = Plan.DrawingOf(m_block, canvas);
             var linear = cloud.Placement.Linear;
             var step = cloud.Source.Grid.Step;
             drawing.Projection = new PointProjection(camera, PositionTransform.Identity, canvas.WidthPx, canvas.HeightPx)
@@ -79,7 +77,7 @@ namespace FastPoints.Evaluation
             var source = cloud.Source;
             var toWorld = DrawListCloud.NormalsToWorld(linear,
                 source.Crs.Units.MetresAt(source.Grid.ToGeo(source.Root.Corner), UpAxis.Z));
-            drawing.Normals.Light = m_plan.Light.RelativeTo(camera.EyeGeo);
+            drawing.Normals.Light = Plan.Light.RelativeTo(camera.EyeGeo);
             drawing.Normals.ToLight = toWorld;
             drawing.Normals.ViewToLight = new double3x3(camera.Right, camera.Up, camera.Forward);
             drawing.Normals.ToView = new double3x3(Turned(camera, toWorld.c0), Turned(camera, toWorld.c1),
@@ -89,13 +87,13 @@ namespace FastPoints.Evaluation
 
         internal void Collect(SizeTree sizes, DrawnBlocks to)
         {
-            var cloud = m_stream.Clouds[m_cloud];
+            var cloud = Stream.Clouds[m_cloud];
             var cubes = cloud.Source.Cubes;
             var step = cloud.Source.Grid.Step;
             to.Clear(sizes.Nodes);
-            for (int i = 0; i < m_stream.Drawn.Length; i++)
+            for (int i = 0; i < Stream.Drawn.Length; i++)
             {
-                var drawn = m_stream.Drawn[i];
+                var drawn = Stream.Drawn[i];
                 if (drawn.Cloud != m_cloud)
                     continue;
                 var address = cloud.Pages[drawn.Page].Addresses[drawn.Node];
@@ -124,7 +122,7 @@ namespace FastPoints.Evaluation
         internal JobHandle ScheduleDraw(DrawnBlocks drawn, in Camera camera, PictureCanvas canvas, bool isPixels = false,
             NativeArray<ulong> sums = default)
         {
-            var cloud = m_stream.Clouds[m_cloud];
+            var cloud = Stream.Clouds[m_cloud];
             var drawing = DrawingFor(camera, canvas);
             if (isPixels)
                 (drawing.IsWorldSize, drawing.MaxTileSizePx) = (false, 1);
@@ -134,7 +132,7 @@ namespace FastPoints.Evaluation
                 drawing.MaxTileSizePx = drawing.Size.MaxPx;
             }
             m_clips.Clear();
-            foreach (var box in m_stream.ClipBoxes)
+            foreach (var box in Stream.ClipBoxes)
                 m_clips.Add(InSteps(new LocalClip(box, cloud.Placement), cloud.Source.Grid.Step));
             return new DrawBlocksJob
             {

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using FastPoints.Las;
 using Unity.Collections;
 using Unity.Jobs;
 

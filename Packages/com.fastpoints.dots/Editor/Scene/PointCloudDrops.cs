@@ -22,11 +22,11 @@ namespace FastPoints.Editor
         {
             if (!PointCloudImports.IsMainEditor)
                 return;
+            DragAndDrop.SceneDropHandler onScene = (_, position, _, parent, perform) => OnScene(position, parent, perform);
 #if UNITY_6000_3_OR_NEWER
             DragAndDrop.ProjectBrowserDropHandlerV2 onProject = (_, path, perform) => OnProject(path, perform);
             DragAndDrop.HierarchyDropHandlerV2 onHierarchy = (id, flags, parent, perform) => OnScene(DropTarget.Of(
                 EditorUtility.EntityIdToObject(id) as GameObject, flags, parent, SceneOf(id.GetHashCode())), perform);
-            DragAndDrop.SceneDropHandler onScene = (_, position, _, parent, perform) => OnScene(position, parent, perform);
             DragAndDrop.AddDropHandlerV2(onProject);
             DragAndDrop.AddDropHandlerV2(onHierarchy);
             DragAndDrop.AddDropHandlerV2(onScene);
@@ -34,7 +34,6 @@ namespace FastPoints.Editor
             DragAndDrop.ProjectBrowserDropHandler onProject = (_, path, perform) => OnProject(path, perform);
             DragAndDrop.HierarchyDropHandler onHierarchy = (id, flags, parent, perform) => OnScene(DropTarget.Of(
                 EditorUtility.InstanceIDToObject(id) as GameObject, flags, parent, SceneOf(id.GetHashCode())), perform);
-            DragAndDrop.SceneDropHandler onScene = (_, position, _, parent, perform) => OnScene(position, parent, perform);
             DragAndDrop.AddDropHandler(onProject);
             DragAndDrop.AddDropHandler(onHierarchy);
             DragAndDrop.AddDropHandler(onScene);

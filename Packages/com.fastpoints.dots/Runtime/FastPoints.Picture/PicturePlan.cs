@@ -9,14 +9,12 @@ namespace FastPoints.Picture
     // A picture's options resolved for one cloud, from the ranges of a sample, before a point is drawn.
     internal sealed class PicturePlan
     {
-        readonly PictureOptions m_options;
-        readonly DisplayRanges m_ranges;
         readonly PositionTransform m_transform;
 
         public PicturePlan(PictureOptions options, DisplayRanges ranges, PositionTransform transform)
         {
-            m_options = options;
-            m_ranges = ranges;
+            Options = options;
+            Ranges = ranges;
             m_transform = transform;
             Mode = ranges.Resolve(options.Color);
             EdlStrength = options.EdlFor(Mode);
@@ -37,33 +35,33 @@ namespace FastPoints.Picture
 
         public ColorMode Mode { get; } // Never Auto.
 
-        public PictureOptions Options => m_options;
-        public DisplayRanges Ranges => m_ranges;
+        public PictureOptions Options { get; }
+        public DisplayRanges Ranges { get; }
         public float EdlStrength { get; }
         public int LitLevel { get; } // Of PointLighting.MaxLitLevel.
         public PointLighting Light { get; set; }
-        public ColorRamp ColorRamp => m_options.ColorRamp;
+        public ColorRamp ColorRamp => Options.ColorRamp;
 
-        public ClassMask HiddenClasses => m_options.HiddenClasses;
+        public ClassMask HiddenClasses => Options.HiddenClasses;
 
         public float SizePx { get; set; } // With automatic sizes, the size of the median tile.
 
-        public bool UsesAutoSize => m_options.IsAutoSize; // SizePx is still to be found from a picture of the sample.
+        public bool UsesAutoSize => Options.IsAutoSize; // SizePx is still to be found from a picture of the sample.
 
         public List<string> Assumptions { get; }
 
         // Independent of a batch's columns.
-        public ColorMapping Colors => ColorMapping.Of(Mode, m_ranges, m_transform, ColorRamp);
+        public ColorMapping Colors => ColorMapping.Of(Mode, Ranges, m_transform, ColorRamp);
 
         public PointDrawing DrawingOf(PointBatch batch, PictureCanvas canvas)
         {
-            var world = m_options.SizeInWorld.GetValueOrDefault();
+            var world = Options.SizeInWorld.GetValueOrDefault();
             world.MaxPx *= canvas.SamplesPerEdge;
             bool isWorldSize = world.Mode == PointSizeMode.World;
-            var lengths = m_ranges.LengthsPerUnit;
+            var lengths = Ranges.LengthsPerUnit;
             // Shadows are of what a layer has: with them, light is by its depths.
             var axes = new double3x3(Camera.Right / lengths, Camera.Up / lengths, Camera.Forward / lengths);
-            var normals = new PointNormals(batch, m_options.Shadows ? 0 : LitLevel, Light.RelativeTo(Camera.EyeGeo))
+            var normals = new PointNormals(batch, Options.Shadows ? 0 : LitLevel, Light.RelativeTo(Camera.EyeGeo))
             {
                 ToLight = double3x3.identity,
                 ViewToLight = axes,
@@ -73,14 +71,14 @@ namespace FastPoints.Picture
             {
                 Positions = PositionColumns.Of(batch),
                 Projection = new PointProjection(Camera, m_transform, canvas.WidthPx, canvas.HeightPx),
-                Colors = ColorMapping.For(Mode, m_ranges, batch, m_transform, ColorRamp),
+                Colors = ColorMapping.For(Mode, Ranges, batch, m_transform, ColorRamp),
                 MaxTileSizePx = isWorldSize ? world.MaxPx : canvas.MaxTileSizePx,
                 IsWorldSize = isWorldSize,
                 Size = world,
                 LitLevel = normals.LitLevel > 0 ? 0 : LitLevel,
                 Normals = normals,
-                IsRound = m_options.RoundPoints,
-                IsParaboloid = m_options.ParaboloidPoints,
+                IsRound = Options.RoundPoints,
+                IsParaboloid = Options.ParaboloidPoints,
             };
         }
 
@@ -94,16 +92,16 @@ namespace FastPoints.Picture
             return drawing;
         }
 
-        public ShadowMapProjection NewShadowFrame() => new ShadowMapProjection(Light.Direction, m_ranges.LengthsPerUnit);
+        public ShadowMapProjection NewShadowFrame() => new ShadowMapProjection(Light.Direction, Ranges.LengthsPerUnit);
 
         // Around what the picture's own camera sees.
         public ShadowMapProjection ShadowFrameOfPicture()
         {
-            if (!m_options.Shadows)
+            if (!Options.Shadows)
                 return default;
             var frame = NewShadowFrame();
-            var bounds = m_ranges.Robust;
-            frame.Add(Camera.ToStreamView(m_options.WidthPx, m_options.HeightPx),
+            var bounds = Ranges.Robust;
+            frame.Add(Camera.ToStreamView(Options.WidthPx, Options.HeightPx),
                 new CloudPlacement(double3x3.identity, bounds.Center), 0, bounds.Size / 2);
             frame.Fit();
             return frame;
@@ -112,17 +110,17 @@ namespace FastPoints.Picture
         public ResolvePictureJob ResolveFor(in Camera camera, PictureCanvas canvas) => new ResolvePictureJob
         {
             Projection = new PointProjection(camera, PositionTransform.Identity, canvas.WidthPx, canvas.HeightPx),
-            Background = m_options.Background,
+            Background = Options.Background,
             EdlStrength = EdlStrength,
             Light = Light.RelativeTo(camera.EyeGeo),
             Shadows = canvas.ShadowMapFor(camera.EyeGeo),
             PixelPositions = PixelPositionsFor(camera, canvas.WidthPx, canvas.HeightPx),
-            FillsHoles = m_options.FillsHoles,
+            FillsHoles = Options.FillsHoles,
         };
 
         public PixelPositions PixelPositionsFor(in Camera camera, int widthPx, int heightPx)
         {
-            var lengths = m_ranges.LengthsPerUnit;
+            var lengths = Ranges.LengthsPerUnit;
             double scale = new PointProjection(camera, m_transform, widthPx, heightPx).ScalePx;
             double3 right = camera.Right / lengths / scale, up = camera.Up / lengths / scale;
             return new PixelPositions

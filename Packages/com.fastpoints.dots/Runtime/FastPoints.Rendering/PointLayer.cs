@@ -14,12 +14,11 @@ namespace FastPoints.Rendering
             SystemInfo.IsFormatSupported(GraphicsFormat.R32G32B32A32_SFloat, GraphicsFormatUsage.Blend)
                 ? GraphicsFormat.R32G32B32A32_SFloat : GraphicsFormat.R16G16B16A16_SFloat;
 
-        readonly MaterialPropertyBlock m_properties = new MaterialPropertyBlock();
         readonly RenderTargetIdentifier[] m_targets = { ShaderNames.LayerColor, ShaderNames.LayerDepth };
         readonly RenderTargetIdentifier[] m_numberedTargets =
             { ShaderNames.LayerColor, ShaderNames.LayerDepth, ShaderNames.LayerNumbers };
 
-        public MaterialPropertyBlock Properties => m_properties; // Of composing.
+        public MaterialPropertyBlock Properties { get; } = new MaterialPropertyBlock(); // Of composing.
 
         public void Begin(CommandBuffer commands, in RenderView view)
         {
@@ -61,25 +60,25 @@ namespace FastPoints.Rendering
 
         public void Compose(CommandBuffer commands, in RenderView view, PointMaterials materials, ComputeRaster raster)
         {
-            m_properties.SetBuffer(ShaderNames.Pixels, raster.Pixels);
-            m_properties.SetVector(ShaderNames.DepthToDevice, ComputeRaster.DepthToDevice(view));
+            Properties.SetBuffer(ShaderNames.Pixels, raster.Pixels);
+            Properties.SetVector(ShaderNames.DepthToDevice, ComputeRaster.DepthToDevice(view));
             Compose(commands, view, materials.ForCompose(ComposedFrom.Pixels, view.Style));
         }
 
         void Compose(CommandBuffer commands, in RenderView view, Material compose)
         {
-            m_properties.SetVector(ShaderNames.Flip, view.Flip);
-            m_properties.SetVector(ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
-            m_properties.SetVector(ShaderNames.ScalePx, new Vector4(view.ScalePx, view.IsOrthographic ? 1 : 0, 0, 0));
-            m_properties.SetFloat(ShaderNames.EdlStrength, view.Style.EdlStrength);
-            m_properties.SetInteger(ShaderNames.FillsHoles, view.Style.FillsHoles ? 1 : 0);
-            m_properties.SetInteger(ShaderNames.IsLinear, view.IsLinear ? 1 : 0);
+            Properties.SetVector(ShaderNames.Flip, view.Flip);
+            Properties.SetVector(ShaderNames.ScreenPx, new Vector4(view.WidthPx, view.HeightPx, 0, 0));
+            Properties.SetVector(ShaderNames.ScalePx, new Vector4(view.ScalePx, view.IsOrthographic ? 1 : 0, 0, 0));
+            Properties.SetFloat(ShaderNames.EdlStrength, view.Style.EdlStrength);
+            Properties.SetInteger(ShaderNames.FillsHoles, view.Style.FillsHoles ? 1 : 0);
+            Properties.SetInteger(ShaderNames.IsLinear, view.IsLinear ? 1 : 0);
             if (view.Style.IsLit)
             {
-                ShaderValues.SetPixelPositions(m_properties, view.PixelPositions);
-                ShaderValues.SetLight(m_properties, view.Light);
+                ShaderValues.SetPixelPositions(Properties, view.PixelPositions);
+                ShaderValues.SetLight(Properties, view.Light);
             }
-            commands.DrawProcedural(Matrix4x4.identity, compose, 0, MeshTopology.Triangles, 3, 1, m_properties);
+            commands.DrawProcedural(Matrix4x4.identity, compose, 0, MeshTopology.Triangles, 3, 1, Properties);
         }
 
         public static void SetCameraTarget(CommandBuffer commands, in RenderView view)

@@ -91,7 +91,6 @@ namespace FastPoints.Rendering
 
         public StagingBuffer() => m_ranges = new NativeList<PoolRange>(256, Allocator.Persistent);
 
-        public int Capacity => m_pages.count;
         public bool IsLocked { get; private set; }
 
         // Begins an upload, in a new buffer if the requested size has changed.
@@ -113,7 +112,7 @@ namespace FastPoints.Rendering
         // Null if it does not fit. The first always fits.
         public byte* Reserve(PoolRange range)
         {
-            if (m_pageCount + range.PageCount > Capacity)
+            if (m_pageCount + range.PageCount > m_pages.count)
             {
                 if (m_pageCount > 0)
                     return null;

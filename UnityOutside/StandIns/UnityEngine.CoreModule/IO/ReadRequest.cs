@@ -17,7 +17,6 @@ sealed unsafe class ReadRequest
     OpenFile m_file;
     ReadCommand* m_commands;
     ulong* m_bytesRead;
-    int m_count;
     int m_status = (int)WaitingOnJob;
     bool m_cancelled;
 
@@ -52,7 +51,7 @@ sealed unsafe class ReadRequest
     }
 
     internal JobHandle JobHandle { get; private set; }
-    internal int Count => m_count;
+    internal int Count { get; private set; }
     internal ReadStatus Status => (ReadStatus)Volatile.Read(ref m_status);
     internal ulong* BytesRead => m_bytesRead;
 
@@ -64,7 +63,7 @@ sealed unsafe class ReadRequest
     void SetCommands(ReadCommand* commands, int count)
     {
         m_commands = commands;
-        m_count = count;
+        Count = count;
         if (count == 0)
             return;
         m_bytesRead = (ulong*)Memory.NativeHeap.Allocate((long)count * sizeof(ulong), sizeof(ulong));
@@ -123,7 +122,7 @@ sealed unsafe class ReadRequest
         file?.AwaitOpen();
         Begin();
         ReadStatus status = ReadStatus.Complete;
-        for (int i = 0; i < m_count && status != ReadStatus.Failed; i++)
+        for (int i = 0; i < Count && status != ReadStatus.Failed; i++)
         {
             if (Volatile.Read(ref m_cancelled))
                 break;
@@ -134,7 +133,7 @@ sealed unsafe class ReadRequest
             else if (read < m_commands[i].Size)
                 status = ReadStatus.Truncated;
         }
-        if (m_count == 0 && file != null && file.Status == FileStatus.OpenFailed)
+        if (Count == 0 && file != null && file.Status == FileStatus.OpenFailed)
             status = ReadStatus.Failed;
         file?.RemoveReader();
         Finish(Volatile.Read(ref m_cancelled) ? ReadStatus.Canceled : status);

@@ -32,7 +32,7 @@ namespace FastPoints.Editor
                     stored.StartsWith("Packages/", StringComparison.Ordinal) || !IsCloud(path) ||
                     PointFilePrompt.BelongsToOtherImporter("Assets/" + Path.GetFileName(path), path))
                     return DropKind.None;
-                bool isImported = IsImported(path);
+                bool isImported = File.Exists(path) && HasImportedExtension(path);
                 bytes += isImported ? new FileInfo(path).Length : 0;
                 if (!isImported || bytes > maxBytes)
                     kind = DropKind.Handle;
@@ -57,8 +57,6 @@ namespace FastPoints.Editor
 
         public static bool IsConverted(string path) =>
             path.EndsWith(StoreFormat.FolderExtension, StringComparison.OrdinalIgnoreCase) && CloudFolder.IsCloud(path);
-
-        static bool IsImported(string path) => File.Exists(path) && HasImportedExtension(path);
 
         public static bool HasImportedExtension(string path) =>
             Array.IndexOf(ImportedExtensions, Path.GetExtension(path).ToLowerInvariant().TrimStart('.')) >= 0;

@@ -24,7 +24,6 @@ namespace FastPoints.Editor
         readonly Func<ImportRequest, ConvertSettings> m_settings;
         readonly List<ImportRequest> m_requests = new List<ImportRequest>();
         FolderLock m_lock;
-        ImportRequest m_currentRequest;
         DateTime m_nextRefresh;
         bool m_isUnsaved;
 
@@ -44,7 +43,7 @@ namespace FastPoints.Editor
 
         public bool HasWork => m_requests.Exists(r => r.State == ImportState.Waiting || r.State == ImportState.Running);
 
-        public ImportRequest CurrentRequest => m_currentRequest;
+        public ImportRequest CurrentRequest { get; private set; }
 
         /// <summary>Why nothing is converted or saved, in one line: another editor, or a folder that cannot be written. Null if
         /// all is well.</summary>
@@ -101,7 +100,7 @@ namespace FastPoints.Editor
             }
             if (IsPausedByPlayMode)
                 return;
-            if (m_currentRequest?.State == ImportState.Paused && m_requests.Exists(r => r.State == ImportState.Waiting))
+            if (CurrentRequest?.State == ImportState.Paused && m_requests.Exists(r => r.State == ImportState.Waiting))
                 SuspendSession();
             if (Session == null)
                 Begin();
@@ -115,29 +114,29 @@ namespace FastPoints.Editor
         /// is not paused.</summary>
         public void Pause(ImportRequest request)
         {
-            if (request == m_currentRequest)
+            if (request == CurrentRequest)
                 Session.Pause();
-            if (request == m_currentRequest ? Session.State == ConversionState.Paused : request.State == ImportState.Waiting)
+            if (request == CurrentRequest ? Session.State == ConversionState.Paused : request.State == ImportState.Waiting)
                 request.State = ImportState.Paused;
             Save();
         }
 
         public void Resume(ImportRequest request)
         {
-            if (request == m_currentRequest)
+            if (request == CurrentRequest)
                 Session.Resume();
             else
                 request.Attempts = 0;
-            request.State = request == m_currentRequest ? ImportState.Running : ImportState.Waiting;
+            request.State = request == CurrentRequest ? ImportState.Running : ImportState.Waiting;
             request.Failure = null;
             Save();
         }
 
         public void MoveFirst(ImportRequest request)
         {
-            if (request == m_currentRequest || !m_requests.Remove(request))
+            if (request == CurrentRequest || !m_requests.Remove(request))
                 return;
-            m_requests.Insert(m_currentRequest == null ? 0 : m_requests.IndexOf(m_currentRequest) + 1, request);
+            m_requests.Insert(CurrentRequest == null ? 0 : m_requests.IndexOf(CurrentRequest) + 1, request);
             Save();
         }
 
@@ -146,7 +145,7 @@ namespace FastPoints.Editor
         {
             if (!m_requests.Remove(request))
                 return;
-            if (request == m_currentRequest)
+            if (request == CurrentRequest)
             {
                 Session.Cancel();
                 End();
@@ -164,10 +163,10 @@ namespace FastPoints.Editor
         /// continues it. What is <see cref="Unsaved"/> stays.</summary>
         public void Suspend()
         {
-            if (m_currentRequest != null)
+            if (CurrentRequest != null)
             {
-                if (m_currentRequest.State == ImportState.Running)
-                    m_currentRequest.State = ImportState.Waiting;
+                if (CurrentRequest.State == ImportState.Running)
+                    CurrentRequest.State = ImportState.Waiting;
                 SuspendSession();
                 Save();
             }
@@ -188,7 +187,7 @@ namespace FastPoints.Editor
                 Problem = "another editor has taken over the imports of " + m_paths.Clouds;
                 Session?.Suspend();
                 Session = null;
-                m_currentRequest = null;
+                CurrentRequest = null;
                 m_requests.Clear();
             }
             if (nowUtc < m_nextRefresh)
@@ -216,29 +215,29 @@ namespace FastPoints.Editor
 
         void Begin()
         {
-            m_currentRequest = m_requests.Find(r => r.State == ImportState.Waiting);
-            if (m_currentRequest == null)
+            CurrentRequest = m_requests.Find(r => r.State == ImportState.Waiting);
+            if (CurrentRequest == null)
                 return;
-            m_currentRequest.State = ImportState.Running;
-            m_currentRequest.Attempts++;
+            CurrentRequest.State = ImportState.Running;
+            CurrentRequest.Attempts++;
             Save();
-            var sources = m_currentRequest.OnlyNormalsLeft ? null : m_currentRequest.Sources.ConvertAll(m_paths.Absolute);
-            Session = new ConversionSession(sources, m_paths.Absolute(m_currentRequest.Cloud), m_settings(m_currentRequest));
+            var sources = CurrentRequest.OnlyNormalsLeft ? null : CurrentRequest.Sources.ConvertAll(m_paths.Absolute);
+            Session = new ConversionSession(sources, m_paths.Absolute(CurrentRequest.Cloud), m_settings(CurrentRequest));
         }
 
         /// <summary>The next session of this target continues from what is on disk.</summary>
         void SuspendSession()
         {
             Session.Suspend();
-            m_currentRequest.Attempts = 0;
-            (m_currentRequest, Session) = (null, null);
+            CurrentRequest.Attempts = 0;
+            (CurrentRequest, Session) = (null, null);
         }
 
         void End()
         {
-            var request = m_currentRequest;
+            var request = CurrentRequest;
             var session = Session;
-            m_currentRequest = null;
+            CurrentRequest = null;
             Session = null;
             request.Attempts = 0;
             if (session.State == ConversionState.Failed)
@@ -280,10 +279,10 @@ namespace FastPoints.Editor
         void Append(IReadOnlyList<ImportRequest> requests)
         {
             var folders = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
-            string running = m_currentRequest == null ? null : FolderOf(m_currentRequest);
+            string running = CurrentRequest == null ? null : FolderOf(CurrentRequest);
             foreach (var request in requests)
                 folders.Add(FolderOf(request));
-            m_requests.RemoveAll(r => r != m_currentRequest && folders.Contains(FolderOf(r)));
+            m_requests.RemoveAll(r => r != CurrentRequest && folders.Contains(FolderOf(r)));
             // The later of two requests for a folder counts.
             for (int i = requests.Count - 1, at = m_requests.Count; i >= 0; i--)
                 if (folders.Remove(FolderOf(requests[i])) && !IsSame(FolderOf(requests[i]), running))

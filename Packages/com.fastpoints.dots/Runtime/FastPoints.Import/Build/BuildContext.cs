@@ -27,12 +27,16 @@ namespace FastPoints.Build
         /// <param name="target">Null where nothing is written.</param>
         /// <exception cref="PointCloudException">The sources' attributes differ, or the target cannot be written.</exception>
         public BuildContext(IReadOnlyList<PointReader> readers, string target, ConvertSettings settings, StageProgress progress)
+            : this(readers, AttributeChoice.Of(readers, settings.Attributes), target, settings, progress) { }
+
+        BuildContext(IReadOnlyList<PointReader> readers, PointSchema attributes, string target, ConvertSettings settings,
+            StageProgress progress)
         {
             Readers = readers;
             Settings = settings;
             Progress = progress;
             Target = target;
-            Attributes = AttributeChoice.Of(readers, settings.Attributes);
+            Attributes = attributes;
             Folder = target == null ? null : new CloudFolderWriter(target);
             SliceTimes = new SliceTimes(Allocator.Persistent);
         }
@@ -41,16 +45,9 @@ namespace FastPoints.Build
         /// <param name="readers">None where its points are in files.</param>
         /// <param name="points">At most; without the readers'.</param>
         public BuildContext(BuildPart part, IReadOnlyList<PointReader> readers, long points, string target,
-            ConvertSettings settings, StageProgress progress)
+            ConvertSettings settings, StageProgress progress) : this(readers, part.Attributes, target, settings, progress)
         {
             Part = part;
-            Readers = readers;
-            Settings = settings;
-            Progress = progress;
-            Target = target;
-            Attributes = part.Attributes;
-            Folder = new CloudFolderWriter(target);
-            SliceTimes = new SliceTimes(Allocator.Persistent);
             CloudId = part.CloudId;
             var sources = new SourceToGrid[readers.Count];
             Grid = new GridChoice { Grid = part.Grid, RecordLayout = part.RecordLayout, Sources = sources };

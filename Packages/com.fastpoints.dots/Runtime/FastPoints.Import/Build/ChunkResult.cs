@@ -65,13 +65,7 @@ namespace FastPoints.Build
                 TopPoints = top.OwnCount,
                 MinSideLog2 = top.SideLog2,
                 BytesOfPlane = new long[indexer.BytesOfPlane.Length],
-                Top = new TopNode
-                {
-                    SideLog2 = top.SideLog2,
-                    CellLog2 = top.CellLog2,
-                    IsLeaf = top.IsLeaf,
-                    AttachNode = -1,
-                },
+                Top = TopNode.Of(top, false),
                 Number = indexer.Number,
                 Container = new ContainerRecord { Cube = indexer.Cube, Kind = ContainerKind.Chunk },
             };

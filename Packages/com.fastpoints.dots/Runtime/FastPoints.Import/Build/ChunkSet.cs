@@ -92,21 +92,12 @@ namespace FastPoints.Build
         /// <param name="written">Receives their bytes.</param>
         public IEnumerator<JobStep> Write(string name, RecordPages pages, long offset, Action<long> written)
         {
-            var packed = PackRecordsJob.Schedule(new PackRecordsJob
+            yield return JobStep.Of(JobStep.Await(PackRecordsJob.Schedule(new PackRecordsJob
             {
                 Pages = pages,
                 StrideBytes = m_build.RecordLayout.StrideBytes,
                 SliceTimes = m_build.SliceTimes,
-            }, default);
-            try
-            {
-                yield return packed;
-            }
-            finally
-            {
-                // Who cancels frees the pages.
-                packed.Complete();
-            }
+            }, default)));
             yield return JobStep.Of(CloudFolderWriter.Await(m_build.Folder.WriteRecords(name, pages, offset)));
             written(new RecordBlocks(name, 0).Add(pages));
         }

@@ -50,9 +50,11 @@ namespace FastPoints.Build
             if (convert.m_checkpoints.Journal.CurrentStage != BuildJournal.Stage.Done)
             {
                 progress?.Begin(BuildStages.Read);
-                yield return JobStep.Of(convert.Read());
+                yield return JobStep.Of(new ReadSources(convert.m_build, convert.m_scatter, convert.m_checkpoints,
+                    convert.m_generations).Run());
                 progress?.Begin(BuildStages.Split);
-                yield return JobStep.Of(convert.Rebalance());
+                yield return JobStep.Of(new RebalanceChunks(convert.m_build, convert.m_scatter, convert.m_chunks,
+                    convert.m_checkpoints).Run());
                 yield return JobStep.Of(convert.Build());
             }
             progress?.Begin(BuildStages.Finish);
@@ -105,28 +107,21 @@ namespace FastPoints.Build
 
         IEnumerator<JobStep> Sample()
         {
-            var statistics = new NativeReference<SampleStatistics>(Allocator.Persistent);
-            try
+            using var statistics = new NativeReference<SampleStatistics>(Allocator.Persistent);
+            foreach (var reader in m_build.Readers)
             {
-                foreach (var reader in m_build.Readers)
-                {
-                    reader.MaxIndexingJobs = m_build.Settings.Workers;
-                    if (!reader.BlocksAreKnown)
-                        yield return JobStep.Of(reader.IndexBlocks());
-                    yield return JobStep.Of(SourceSample.Read(reader, m_build.InFlightMs, m_build.Settings.Workers,
-                        MemoryPlan.ReadBytesOf(m_build.Settings),
-                        (stored, loaded) => MeasureSampleJob.Schedule(new MeasureSampleJob
-                        {
-                            Stored = stored,
-                            Statistics = statistics,
-                            SliceTimes = m_build.SliceTimes,
-                        }, loaded), m_samples.Add));
-                    m_sampleStatistics.Add(statistics.Value);
-                }
-            }
-            finally
-            {
-                statistics.Dispose();
+                reader.MaxIndexingJobs = m_build.Settings.Workers;
+                if (!reader.BlocksAreKnown)
+                    yield return JobStep.Of(reader.IndexBlocks());
+                yield return JobStep.Of(SourceSample.Read(reader, m_build.InFlightMs, m_build.Settings.Workers,
+                    MemoryPlan.ReadBytesOf(m_build.Settings),
+                    (stored, loaded) => MeasureSampleJob.Schedule(new MeasureSampleJob
+                    {
+                        Stored = stored,
+                        Statistics = statistics,
+                        SliceTimes = m_build.SliceTimes,
+                    }, loaded), m_samples.Add));
+                m_sampleStatistics.Add(statistics.Value);
             }
         }
 
@@ -157,10 +152,6 @@ namespace FastPoints.Build
             if (m_checkpoints.Journal.CurrentStage == BuildJournal.Stage.Read)
                 m_build.RequireRoom(m_build.Points - m_scatter.Statistics.Count);
         }
-
-        IEnumerator<JobStep> Read() => new ReadSources(m_build, m_scatter, m_checkpoints, m_generations).Run();
-
-        IEnumerator<JobStep> Rebalance() => new RebalanceChunks(m_build, m_scatter, m_chunks, m_checkpoints).Run();
 
         IEnumerator<JobStep> Build()
         {

@@ -40,7 +40,6 @@ namespace FastPoints.Build
         readonly Stack<Slot> m_idle = new Stack<Slot>();
         readonly List<IndexWorkspace> m_workspaces = new List<IndexWorkspace>();
         readonly ChunkResult[] m_results;
-        readonly NativeArray<byte>[] m_topRecords;
         ChunkWrites m_writes;
         UpperMerge m_merge;
         InFlightLimit m_limit;
@@ -58,7 +57,7 @@ namespace FastPoints.Build
             Manifest = manifest;
             m_store = new NativeStoreLayout(manifest.CreateLayout());
             m_results = new ChunkResult[chunks.Chunks.Count];
-            m_topRecords = new NativeArray<byte>[m_results.Length];
+            TopRecords = new NativeArray<byte>[m_results.Length];
             BytesOfPlane = new long[m_store.Layout.Planes.Count];
         }
 
@@ -72,7 +71,7 @@ namespace FastPoints.Build
 
         /// <summary>By chunk, when they are indexed; tops that are in files have no records here.</summary>
         public IReadOnlyList<ChunkResult> Results => m_results;
-        public NativeArray<byte>[] TopRecords => m_topRecords;
+        public NativeArray<byte>[] TopRecords { get; }
 
         /// <summary>Coroutine: every chunk, several at once; then the upper levels and the hierarchy.</summary>
         public IEnumerator<JobStep> Run()
@@ -80,7 +79,7 @@ namespace FastPoints.Build
             yield return JobStep.Of(Index());
             m_build.Progress?.Begin(BuildStages.Merge);
             m_merge = new UpperMerge(m_build, m_store, Manifest);
-            yield return JobStep.Of(m_merge.Run(m_results, m_topRecords, m_build.Progress));
+            yield return JobStep.Of(m_merge.Run(m_results, TopRecords, m_build.Progress));
             for (int p = 0; p < BytesOfPlane.Length; p++)
                 BytesOfPlane[p] += m_merge.BytesOfPlane[p];
             int lowest = Math.Min(MinSideLog2, m_merge.MinSideLog2);
@@ -140,11 +139,11 @@ namespace FastPoints.Build
             m_store.Dispose();
             foreach (var result in m_results)
                 result?.Dispose();
-            for (int i = 0; i < m_topRecords.Length; i++)
+            for (int i = 0; i < TopRecords.Length; i++)
             {
-                if (m_topRecords[i].IsCreated)
-                    m_topRecords[i].Dispose();
-                m_topRecords[i] = default;
+                if (TopRecords[i].IsCreated)
+                    TopRecords[i].Dispose();
+                TopRecords[i] = default;
             }
         }
 
@@ -310,7 +309,7 @@ namespace FastPoints.Build
                 // A chunk whose file is still being written comes with the next generation.
                 finished[i] = m_writes.HasPending(i) ? null : m_results[i];
             }
-            return m_generations.Write(Manifest, m_store, cubes, finished, m_topRecords);
+            return m_generations.Write(Manifest, m_store, cubes, finished, TopRecords);
         }
 
         /// <summary>Reads a chunk that the interrupted build finished; null if it did not. Any thread.</summary>
@@ -362,7 +361,7 @@ namespace FastPoints.Build
             m_chunks.Chunks[slot.Chunk].Pages = default;
             if (m_build.Files == null)
             {
-                m_topRecords[slot.Chunk] = new NativeArray<byte>(indexer.Top.AsArray(), Allocator.Persistent);
+                TopRecords[slot.Chunk] = new NativeArray<byte>(indexer.Top.AsArray(), Allocator.Persistent);
                 result.Table = new NativeArray<byte>(indexer.Table.AsArray(), Allocator.Persistent);
             }
             indexer.File = m_writes.Write(result, indexer.File, m_build.Files == null ? default

@@ -267,18 +267,9 @@ namespace FastPoints.Build
             var file = m_indexer.File.AsArray();
             if (subtree.NodeCount == 0)
                 yield break;
-            var ticket = m_build.Folder.Write(StoreFormat.PathOf(subtree.Container), file);
-            try
-            {
-                while (!ticket.IsDone(1))
-                    yield return default;
-                m_upperBytes += file.Length;
-                m_upperPoints += PointsIn(file);
-            }
-            finally
-            {
-                ticket.WaitAndStopRetries();
-            }
+            yield return JobStep.Of(CloudFolderWriter.Await(m_build.Folder.Write(StoreFormat.PathOf(subtree.Container), file)));
+            m_upperBytes += file.Length;
+            m_upperPoints += PointsIn(file);
         }
 
         static long PointsIn(NativeArray<byte> file) => ((FileHeader*)file.GetUnsafeReadOnlyPtr())->PointCount;
@@ -307,14 +298,7 @@ namespace FastPoints.Build
                 Cube = cube,
                 TopPoints = top.OwnCount,
                 Records = new NativeArray<byte>(m_indexer.Top.AsArray(), Allocator.Persistent),
-                Top = new TopNode
-                {
-                    SideLog2 = top.SideLog2,
-                    CellLog2 = top.CellLog2,
-                    IsLeaf = top.IsLeaf,
-                    HasNodes = hasNodes,
-                    AttachNode = -1,
-                },
+                Top = TopNode.Of(top, hasNodes),
             };
         }
 

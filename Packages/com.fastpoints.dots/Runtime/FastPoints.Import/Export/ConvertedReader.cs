@@ -69,39 +69,17 @@ namespace FastPoints.Export
         }
 
         /// <exception cref="PointCloudException">It is no cloud, is still being built, or is damaged.</exception>
-        public static ConvertedReader Open(string path)
+        public static ConvertedReader Open(string path) => Opened(new ConvertedReader(CloudFolder.Open(path)), reader =>
         {
-            var reader = new ConvertedReader(CloudFolder.Open(path));
-            try
-            {
-                if (reader.Manifest.IsBuilding)
-                    throw new PointCloudException(FailureCode.Unsupported, path, -1, "this cloud is still being built");
-                reader.Load();
-                return reader;
-            }
-            catch
-            {
-                reader.DisposeUnread();
-                throw;
-            }
-        }
+            if (reader.Manifest.IsBuilding)
+                throw new PointCloudException(FailureCode.Unsupported, path, -1, "this cloud is still being built");
+            reader.Load();
+        });
 
         /// <summary>The same, with its edits.</summary>
         /// <param name="added">One more, after these; may be null.</param>
-        public static ConvertedReader OpenEdited(string path, EditOperation added = null)
-        {
-            var reader = Open(path);
-            try
-            {
-                reader.Edits = EditPlan.Of(path, reader.Manifest, added);
-                return reader;
-            }
-            catch
-            {
-                reader.DisposeUnread();
-                throw;
-            }
-        }
+        public static ConvertedReader OpenEdited(string path, EditOperation added = null) =>
+            Opened(Open(path), reader => reader.Edits = EditPlan.Of(path, reader.Manifest, added));
 
         public EditPlan Edits { get; private set; } // Null as stored.
 

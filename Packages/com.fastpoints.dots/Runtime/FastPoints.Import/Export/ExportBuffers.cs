@@ -108,17 +108,8 @@ namespace FastPoints.Export
         public IEnumerator<JobStep> Write(byte[] bytes, bool isLast)
         {
             using var copy = new NativeArray<byte>(bytes, Allocator.Persistent);
-            var ticket = isLast ? m_queue.Seal(m_path, copy) : Append(copy);
-            try
-            {
-                while (!ticket.IsDone(1))
-                    yield return default;
-                m_isWhole |= isLast;
-            }
-            finally
-            {
-                ticket.WaitAndStopRetries();
-            }
+            yield return JobStep.Of(CloudFolderWriter.Await(isLast ? m_queue.Seal(m_path, copy) : Append(copy)));
+            m_isWhole |= isLast;
         }
 
         /// <summary>If the file is not whole, nothing is left of it.</summary>

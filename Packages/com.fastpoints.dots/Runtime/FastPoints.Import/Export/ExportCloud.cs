@@ -234,16 +234,7 @@ namespace FastPoints.Export
                     yield return default;
                 yield return read.Done;
                 read.Complete();
-                var ticket = buffers.Append(read.Bytes);
-                try
-                {
-                    while (!ticket.IsDone(1))
-                        yield return default;
-                }
-                finally
-                {
-                    ticket.WaitAndStopRetries();
-                }
+                yield return JobStep.Of(CloudFolderWriter.Await(buffers.Append(read.Bytes)));
             }
         }
 

@@ -21,7 +21,6 @@ namespace FastPoints.Export
         const double MaxSteps = uint.MaxValue - 1.0;
 
         readonly string m_path;
-        readonly LasHeader m_header;
         readonly LasMetadata m_records; // Null for a LAS file, which has its own records.
         readonly List<byte[]> m_vlrs = new List<byte[]>();
         byte[] m_extraBytes; // What describes the extra bytes, until it is among the records; null without any.
@@ -43,14 +42,14 @@ namespace FastPoints.Export
             var las = (reader as ILasSource)?.Las;
             m_records = las == null ? LasRecordsOf(reader) : null;
             var from = las?.Header ?? m_records?.Header;
-            m_header = from != null ? LasMetadata.CopyWithoutPoints(from) : new LasHeader { VersionMinor = 4 };
-            m_header.GeneratingSoftware = "FastPoints";
+            Header = from != null ? LasMetadata.CopyWithoutPoints(from) : new LasHeader { VersionMinor = 4 };
+            Header.GeneratingSoftware = "FastPoints";
             if (las == null)
                 ChooseFormat(info.Schema, chosen);
-            if (maxPoints > uint.MaxValue && m_header.VersionMinor < 4)
-                m_header.VersionMinor = 4;
-            m_header.HeaderBytes = LasHeader.BytesOf(m_header.VersionMinor);
-            var format = LasPointFormat.Of(m_header.PointFormat);
+            if (maxPoints > uint.MaxValue && Header.VersionMinor < 4)
+                Header.VersionMinor = 4;
+            Header.HeaderBytes = LasHeader.BytesOf(Header.VersionMinor);
+            var format = LasPointFormat.Of(Header.PointFormat);
             ReturnMask = format.IsExtended ? 15 : 7;
             RecordBytes = format.RecordBytes;
             if (las != null && chosen == null)
@@ -60,7 +59,7 @@ namespace FastPoints.Export
             if (RecordBytes > ushort.MaxValue)
                 throw new PointCloudException(FailureCode.Unsupported, info.Path, -1,
                     "a LAS record has at most 65,535 bytes, these attributes take " + NumberText.Of(RecordBytes));
-            m_header.RecordBytes = RecordBytes;
+            Header.RecordBytes = RecordBytes;
             if (las != null)
             {
                 CopyRecords(las, chosen == null);
@@ -87,9 +86,9 @@ namespace FastPoints.Export
 
         public override bool NeedsBounds => Position.Kind != PositionKind.Copied;
 
-        protected LasHeader Header => m_header;
+        protected LasHeader Header { get; }
 
-        protected int ExtraBytes => RecordBytes - LasPointFormat.Of(m_header.PointFormat).RecordBytes;
+        protected int ExtraBytes => RecordBytes - LasPointFormat.Of(Header.PointFormat).RecordBytes;
 
         protected void AddVlr(byte[] vlr, bool isFirst = false) => m_vlrs.Insert(isFirst ? 0 : m_vlrs.Count, vlr);
 
@@ -101,19 +100,19 @@ namespace FastPoints.Export
                 for (int i = 0; i < byReturn.Length; i++)
                     byReturn[i] = written.ByReturn[i];
             }
-            m_header.Count64 = (ulong)written.Written;
-            m_header.SetCountsAndBounds(path, byReturn, written.Min, written.Max);
-            m_header.VlrCount = (uint)m_vlrs.Count;
-            m_header.EvlrCount = m_evlrs;
-            m_header.EvlrOffset = m_evlrs > 0 ? (ulong)pointsEnd : 0;
-            m_header.WaveformOffset = m_waveformInTail >= 0 ? (ulong)(pointsEnd + m_waveformInTail) : 0;
-            long bytes = m_header.HeaderBytes;
+            Header.Count64 = (ulong)written.Written;
+            Header.SetCountsAndBounds(path, byReturn, written.Min, written.Max);
+            Header.VlrCount = (uint)m_vlrs.Count;
+            Header.EvlrCount = m_evlrs;
+            Header.EvlrOffset = m_evlrs > 0 ? (ulong)pointsEnd : 0;
+            Header.WaveformOffset = m_waveformInTail >= 0 ? (ulong)(pointsEnd + m_waveformInTail) : 0;
+            long bytes = Header.HeaderBytes;
             foreach (var vlr in m_vlrs)
                 bytes += vlr.Length;
-            m_header.PointsOffset = (uint)bytes;
+            Header.PointsOffset = (uint)bytes;
             var head = new byte[bytes];
-            m_header.ToBytes().CopyTo(head, 0);
-            int at = m_header.HeaderBytes;
+            Header.ToBytes().CopyTo(head, 0);
+            int at = Header.HeaderBytes;
             foreach (var vlr in m_vlrs)
             {
                 vlr.CopyTo(head, at);
@@ -147,8 +146,8 @@ namespace FastPoints.Export
                 Position.To.Scale = from.Scale * Position.Divisor;
                 Position.To.Offset += from.Scale * new double3(Position.Base.X, Position.Base.Y, Position.Base.Z);
             }
-            m_header.Scale = Position.To.Scale;
-            m_header.Offset = Position.To.Offset;
+            Header.Scale = Position.To.Scale;
+            Header.Offset = Position.To.Offset;
         }
 
         /// <summary>The number that becomes 0: a round one near the middle, unless all fit as they are.</summary>
@@ -194,8 +193,8 @@ namespace FastPoints.Export
                         : PositionKind.Rounded;
             }
             Position = new PositionConversion { Kind = kind, From = info.Transform, To = info.Transform, Divisor = 1 };
-            m_header.Scale = info.Transform.Scale;
-            m_header.Offset = info.Transform.Offset;
+            Header.Scale = info.Transform.Scale;
+            Header.Offset = info.Transform.Offset;
         }
 
         /// <summary>That of the files that the source was made from, or the simplest one where these have other attributes; and a
@@ -204,16 +203,16 @@ namespace FastPoints.Export
         {
             int simplest = SimplestFormatOf(schema, chosen);
             if (m_records == null || !HasFieldsFor(schema, chosen, simplest))
-                m_header.PointFormat = simplest;
-            int first = m_header.PointFormat >= LasPointFormat.FirstExtended ? 4 : m_header.PointFormat >= 4 ? 3 : 0;
-            m_header.VersionMinor = Math.Max(m_header.VersionMinor, first);
+                Header.PointFormat = simplest;
+            int first = Header.PointFormat >= LasPointFormat.FirstExtended ? 4 : Header.PointFormat >= 4 ? 3 : 0;
+            Header.VersionMinor = Math.Max(Header.VersionMinor, first);
             // Wave packets are not kept.
-            m_header.GlobalEncoding &= unchecked((ushort)~LasHeader.WaveformBits);
+            Header.GlobalEncoding &= unchecked((ushort)~LasHeader.WaveformBits);
         }
 
         bool HasFieldsFor(PointSchema schema, string[] chosen, int simplest)
         {
-            var fields = LasPointFormat.Of(m_header.PointFormat).Fields;
+            var fields = LasPointFormat.Of(Header.PointFormat).Fields;
             foreach (var field in fields)
             {
                 int index = IsAxis(field.Name) ? -1 : schema.IndexOf(field.Name);
@@ -401,7 +400,7 @@ namespace FastPoints.Export
             if (m_extraBytes != null)
                 m_vlrs.Add(m_extraBytes);
             if (m_evlrs > 0)
-                m_header.VersionMinor = Math.Max(m_header.VersionMinor, 4);
+                Header.VersionMinor = Math.Max(Header.VersionMinor, 4);
             if (hasCrs)
             {
                 WarnOfKeysAlone(m_records.Crs);
@@ -412,7 +411,7 @@ namespace FastPoints.Export
 
         void AddNewCrs(CoordinateSystem crs)
         {
-            m_header.GlobalEncoding &= unchecked((ushort)~LasHeader.WktBit);
+            Header.GlobalEncoding &= unchecked((ushort)~LasHeader.WktBit);
             AddCrs(crs);
         }
 
@@ -420,28 +419,28 @@ namespace FastPoints.Export
         {
             var time = info.GpsTime;
             bool isKept = m_records != null && m_records.GpsTime.Equals(time);
-            if (isKept && (time.Kind == GpsTimeKind.Unknown || time.Kind == GpsTimeKind.Offset && m_header.VersionMinor >= 5))
+            if (isKept && (time.Kind == GpsTimeKind.Unknown || time.Kind == GpsTimeKind.Offset && Header.VersionMinor >= 5))
                 return;
-            m_header.GlobalEncoding &= unchecked((ushort)~(LasHeader.StandardTimeBit | LasHeader.TimeOffsetBit));
+            Header.GlobalEncoding &= unchecked((ushort)~(LasHeader.StandardTimeBit | LasHeader.TimeOffsetBit));
             bool isStandard = time.Kind == GpsTimeKind.AdjustedStandard ||
                 time.Kind == GpsTimeKind.Offset && time.OffsetMegaseconds == StandardOffsetMegaseconds;
             if (isStandard)
-                m_header.GlobalEncoding |= LasHeader.StandardTimeBit;
+                Header.GlobalEncoding |= LasHeader.StandardTimeBit;
             else if (time.Kind != GpsTimeKind.Week && Columns.Exists(c => c.To.Name == AttributeNames.GpsTime))
-                Losses.Add(new Loss(time.ToString(), info.Path, "LAS 1." + m_header.VersionMinor + " has no place for it: the " +
+                Losses.Add(new Loss(time.ToString(), info.Path, "LAS 1." + Header.VersionMinor + " has no place for it: the " +
                     "numbers are kept, and readers take them for seconds of the week"));
         }
 
         void AddCrs(CoordinateSystem crs)
         {
             var wkt = Encoding.UTF8.GetBytes((crs.Wkt ?? "") + "\0");
-            bool isExtended = m_header.PointFormat >= LasPointFormat.FirstExtended;
+            bool isExtended = Header.PointFormat >= LasPointFormat.FirstExtended;
             bool hasWkt = crs.Wkt != null && wkt.Length <= ushort.MaxValue;
             if (hasWkt)
                 m_vlrs.Add(LasVlr.ToBytes(LasVlr.ProjectionUser, LasVlr.WktRecord, "OGC WKT", wkt));
             // Of a file that has both, the keys are for readers that know no WKT.
             if (hasWkt && (isExtended || crs.GeoKeys == null))
-                m_header.GlobalEncoding |= LasHeader.WktBit;
+                Header.GlobalEncoding |= LasHeader.WktBit;
             for (int i = 0; crs.GeoKeys != null && i < LasGeoKeys.RecordIds.Length; i++)
                 if (crs.GeoKeys[i].Length > 0)
                     m_vlrs.Add(LasVlr.ToBytes(LasVlr.ProjectionUser, LasGeoKeys.RecordIds[i], "GeoTIFF keys", crs.GeoKeys[i]));
@@ -468,8 +467,8 @@ namespace FastPoints.Export
 
         void WarnOfKeysAlone(CoordinateSystem crs)
         {
-            if (crs.Wkt == null && (crs.GeoKeys != null || crs.Epsg != 0) && m_header.PointFormat >= LasPointFormat.FirstExtended)
-                Losses.Add(new Loss("the coordinate system as WKT, which point format " + m_header.PointFormat + " wants", m_path,
+            if (crs.Wkt == null && (crs.GeoKeys != null || crs.Epsg != 0) && Header.PointFormat >= LasPointFormat.FirstExtended)
+                Losses.Add(new Loss("the coordinate system as WKT, which point format " + Header.PointFormat + " wants", m_path,
                     "it is known by keys or a code alone, which are written as keys: readers that go by the letter see none"));
         }
     }

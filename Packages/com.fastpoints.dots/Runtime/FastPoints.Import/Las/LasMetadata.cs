@@ -186,7 +186,7 @@ namespace FastPoints.Las
 
         bool NoteIfDiffers(Record record, LasMetadata other)
         {
-            if (!NoteUnlessSame(record.Name, other.m_records.Exists(record.Equals)))
+            if (!NoteUnlessSame(record.Vlr.Name, other.m_records.Exists(record.Equals)))
                 return false;
             if (record.Vlr.IsCrs)
                 Crs = new CoordinateSystem();
@@ -212,8 +212,6 @@ namespace FastPoints.Las
             public Record(LasVlr vlr, byte[] bytes) => (Vlr, Bytes) = (vlr, bytes);
 
             public bool IsExtended => Vlr.IsExtended;
-
-            public string Name => Vlr.Name;
 
             public byte[] Payload => Bytes.AsSpan((int)(Vlr.DataOffset - Vlr.Offset)).ToArray();
 

@@ -22,7 +22,7 @@ namespace FastPoints.Laz
         LazReader(LazBlocks blocks) : base(blocks)
         {
             m_isTableLost = FindChunks();
-            m_areBlocksKnown = !m_isTableLost && !HasLongPointwiseChunk();
+            m_areBlocksKnown = !m_isTableLost && (Format.IsLayered || Chunks.MaxPoints <= Blocks.LongChunkPoints);
             if (m_areBlocksKnown)
                 MakeBlocks(null);
         }
@@ -68,14 +68,8 @@ namespace FastPoints.Laz
                 yield break;
             Reset();
             var walk = new LazWalk(Blocks);
-            try
-            {
+            using (Source)
                 yield return JobStep.Of(walk.Run(m_isTableLost));
-            }
-            finally
-            {
-                Source.Dispose();
-            }
             MakeBlocks(walk);
             // Checking the bounds has opened it again.
             Source.Dispose();
@@ -122,8 +116,6 @@ namespace FastPoints.Laz
                     + NumberText.Of(Info.PointsClaimed) + " points, the file holds none");
             return isLost;
         }
-
-        bool HasLongPointwiseChunk() => !Format.IsLayered && Chunks.MaxPoints > Blocks.LongChunkPoints;
 
         void MakeBlocks(LazWalk walk)
         {

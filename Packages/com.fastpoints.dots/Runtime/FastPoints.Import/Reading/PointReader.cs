@@ -104,6 +104,21 @@ namespace FastPoints.Reading
         /// <summary>Disposes a reader without slots or work on any thread, as it may be opened on any: it has no file handle yet,
         /// and these belong to the main thread.</summary>
         public virtual void DisposeUnread() { }
+
+        // The reader, once the rest of its opening is done; one that fails is disposed.
+        internal static T Opened<T>(T reader, Action<T> rest) where T : PointReader
+        {
+            try
+            {
+                rest(reader);
+                return reader;
+            }
+            catch
+            {
+                reader.DisposeUnread();
+                throw;
+            }
+        }
     }
 
     // Points can be read long before IndexBlocks has ended.

@@ -19,7 +19,6 @@ namespace FastPoints.Sampling
         const double MaxTaken = 0.9, CoarserCells = 1.2;
 
         readonly PositionTransform m_transform;
-        readonly SampleBuffer m_points;
         CellHashing m_cells;
         NativeArray<ulong> m_table;
         NativeReference<int> m_count;
@@ -36,14 +35,14 @@ namespace FastPoints.Sampling
             };
             m_table = new NativeArray<ulong>(CellHashing.Words, Allocator.Persistent);
             // At a half, half of the sample's entries are free.
-            m_points = new SampleBuffer(schema, transform, Math.Max(1, wanted / 2));
-            m_points.MarkAllFilled();
+            Points = new SampleBuffer(schema, transform, Math.Max(1, wanted / 2));
+            Points.MarkAllFilled();
             m_count = new NativeReference<int>(Allocator.Persistent);
         }
 
-        public SampleBuffer Points => m_points; // The first Count entries hold the points; all count as filled.
+        public SampleBuffer Points { get; } // The first Count entries hold the points; all count as filled.
         public int Count => m_count.Value; // Not to be read while anything is in flight.
-        public bool AreTooMany => m_count.Value > MaxTaken * m_points.EntryCount;
+        public bool AreTooMany => m_count.Value > MaxTaken * Points.EntryCount;
 
         /// <summary>Adds the needed ones of a block's points, in slices, after everything scheduled before.</summary>
         /// <param name="columns">The columns of the read's points.</param>
@@ -70,16 +69,14 @@ namespace FastPoints.Sampling
             job.Transform = m_transform;
             job.Cells = m_cells;
             job.Table = m_table;
-            job.To = m_points.Points.Bytes;
-            job.ColumnsOfTarget = m_points.Columns;
-            job.Capacity = m_points.EntryCount;
+            job.To = Points.Points.Bytes;
+            job.ColumnsOfTarget = Points.Columns;
+            job.Capacity = Points.EntryCount;
             job.Kept = m_count;
             return m_lastAppended = job.Schedule(JobHandle.CombineDependencies(inputDeps, m_lastAppended));
         }
 
-        public IEnumerator<JobStep> Append(PreviewSample sample) => Keep(sample.Points, sample.Count);
-
-        IEnumerator<JobStep> Keep(PointBatch points, int count)
+        public IEnumerator<JobStep> Append(PointBatch points, int count)
         {
             var columns = SampleBuffer.ColumnsOf(points);
             var all = new NativeReference<DecodeResult>(new DecodeResult { Points = count }, Allocator.Persistent);
@@ -129,7 +126,7 @@ namespace FastPoints.Sampling
                 }.Schedule(after)));
             int count = m_count.Value;
             m_count.Value = 0;
-            yield return JobStep.Of(Keep(m_points.Points, count));
+            yield return JobStep.Of(Append(Points.Points, count));
         }
 
         public void Dispose()
@@ -137,7 +134,7 @@ namespace FastPoints.Sampling
             if (!m_table.IsCreated)
                 return;
             m_lastAppended.Complete();
-            m_points.Dispose();
+            Points.Dispose();
             m_table.Dispose();
             m_count.Dispose();
         }

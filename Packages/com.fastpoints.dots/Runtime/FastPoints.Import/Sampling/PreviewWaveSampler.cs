@@ -21,9 +21,7 @@ namespace FastPoints.Sampling
         readonly PointReader m_reader;
         readonly PreviewWaveReader m_reads;
         readonly SampleBuffer m_buffer;
-        readonly List<PreviewSample.Wave> m_waves = new List<PreviewSample.Wave>();
         readonly Stopwatch m_watch = new Stopwatch();
-        PreviewSample m_sample;
 
         /// <param name="reader">A reader whose blocks are known.</param>
         /// <param name="wanted">Number of points, limited to <see cref="PreviewSample.MaxPoints"/>.</param>
@@ -36,17 +34,15 @@ namespace FastPoints.Sampling
                 ? (PreviewWaveReader)new RangeWaveReader(reader, wanted, seed)
                 : new PrefixWaveReader(reader, wanted, seed);
             m_buffer = m_reads.Buffer;
-            m_sample = m_buffer.CreateSample();
-            m_sample.Method = m_reads.Method;
+            Sample = m_buffer.CreateSample();
+            Sample.Method = m_reads.Method;
         }
 
         /// <summary>Raised on the coroutine's thread after each wave, which is a prefix of <see cref="Sample"/> that can be drawn
         /// from then on.</summary>
         public event Action<PreviewSample.Wave> WaveReady;
 
-        public IReadOnlyList<PreviewSample.Wave> Waves => m_waves;
-
-        public PreviewSample Sample => m_sample;
+        public PreviewSample Sample { get; private set; }
 
         /// <summary>Coroutine.</summary>
         /// <param name="slots">Reads in flight; 0 for a default.</param>
@@ -86,25 +82,23 @@ namespace FastPoints.Sampling
 
         void RaiseWave()
         {
-            m_buffer.UpdateSample(m_sample);
-            m_sample.Method = m_reads.Method;
-            m_sample.BytesRead = m_reads.BytesRead;
-            m_sample.PointsInSource = m_reader.PointCount;
-            var wave = new PreviewSample.Wave
+            m_buffer.UpdateSample(Sample);
+            Sample.Method = m_reads.Method;
+            Sample.BytesRead = m_reads.BytesRead;
+            Sample.PointsInSource = m_reader.PointCount;
+            WaveReady?.Invoke(new PreviewSample.Wave
             {
-                Points = m_sample.Count,
+                Points = Sample.Count,
                 Seconds = m_watch.Elapsed.TotalSeconds,
                 BytesRead = m_reads.BytesRead,
-            };
-            m_waves.Add(wave);
-            WaveReady?.Invoke(wave);
+            });
         }
 
         /// <summary>Hands the sample over, once; null after that.</summary>
         public PreviewSample TakeSample()
         {
-            var sample = m_sample;
-            m_sample = null;
+            var sample = Sample;
+            Sample = null;
             return sample;
         }
 
@@ -112,8 +106,8 @@ namespace FastPoints.Sampling
         {
             m_reads.Free();
             m_buffer.Dispose();
-            m_sample?.Dispose();
-            m_sample = null;
+            Sample?.Dispose();
+            Sample = null;
         }
     }
 }

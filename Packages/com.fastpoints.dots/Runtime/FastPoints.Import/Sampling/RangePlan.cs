@@ -81,7 +81,7 @@ namespace FastPoints.Sampling
             // A stratum that is not much longer than the span is covered from end to end.
             long span = length <= 2 * m_spanPoints ? length : m_spanPoints;
             int step = (int)(span / count);
-            long begin = m_strata.ChosenRange(stratum, 1) - first;
+            long begin = m_strata.Chosen(stratum) - first;
             range = new StridedRange { First = first + begin, Step = step, Count = count, FirstInSample = index };
             second = default;
             int before = (int)((length - begin + step - 1) / step);

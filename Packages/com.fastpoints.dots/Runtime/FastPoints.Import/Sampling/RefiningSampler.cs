@@ -45,7 +45,6 @@ namespace FastPoints.Sampling
         PlaceholderPoints m_placeholders;
         StageProgress m_progress;
         readonly PreviewSample m_firstSample;
-        PreviewSample m_sample;
         long m_pointsRead;
         long m_bytesRead;
         int m_rangesRead;
@@ -77,7 +76,7 @@ namespace FastPoints.Sampling
         public IReadOnlyList<PreviewSample.Wave> Waves => m_waves;
 
         /// <summary>The last wave's sample until the next one replaces and disposes it; null before the first.</summary>
-        public PreviewSample Sample => m_sample;
+        public PreviewSample Sample { get; private set; }
 
         public bool IsPaused { get; set; } // While set, no more reads begin, so that other work can use the machine.
 
@@ -92,7 +91,7 @@ namespace FastPoints.Sampling
             {
                 Allocate(slots);
                 if (!m_plan.IsSliced && m_firstSample != null)
-                    yield return JobStep.Of(m_placeholders.Append(m_firstSample));
+                    yield return JobStep.Of(m_placeholders.Append(m_firstSample.Points, m_firstSample.Count));
                 foreach (double share in s_shares)
                 {
                     if (share < FirstCertainShare && (m_plan.IsSliced || share * m_reader.PointCount < MinPointsOfEarlierWaves))
@@ -200,31 +199,31 @@ namespace FastPoints.Sampling
             int placeholders = Math.Min(m_placeholders.Count, composed.EntryCount - composed.ExaminedCount);
             yield return JobStep.Of(composed.Append(m_placeholders.Points, 0, placeholders));
             Replace(composed.CreateSample());
-            m_sample.PointsInSource = m_reader.PointCount;
-            m_sample.PlaceholderCount = placeholders;
-            m_sample.Method = "points of a full scan as far as it has come, and others where a region would be bare";
+            Sample.PointsInSource = m_reader.PointCount;
+            Sample.PlaceholderCount = placeholders;
+            Sample.Method = "points of a full scan as far as it has come, and others where a region would be bare";
         }
 
         IEnumerator<JobStep> ComposeLast()
         {
             yield return JobStep.Of(m_buffer.Compact(0, m_buffer.EntryCount));
             Replace(m_buffer.CreateSample());
-            m_sample.PointsInSource = m_pointsRead;
-            m_sample.IsFullScan = true;
-            m_sample.Method = "full scan, one point of each stratum";
+            Sample.PointsInSource = m_pointsRead;
+            Sample.IsFullScan = true;
+            Sample.Method = "full scan, one point of each stratum";
         }
 
         void Replace(PreviewSample sample)
         {
-            m_sample?.Dispose();
-            m_sample = sample;
-            m_sample.BytesRead = m_bytesRead;
+            Sample?.Dispose();
+            Sample = sample;
+            Sample.BytesRead = m_bytesRead;
         }
 
         void RaiseWave()
         {
             double seconds = m_watch.Elapsed.TotalSeconds;
-            var wave = new PreviewSample.Wave { Points = m_sample.Count, Seconds = seconds, BytesRead = m_bytesRead };
+            var wave = new PreviewSample.Wave { Points = Sample.Count, Seconds = seconds, BytesRead = m_bytesRead };
             m_waves.Add(wave);
             WaveReady?.Invoke(wave);
         }
@@ -232,8 +231,8 @@ namespace FastPoints.Sampling
         /// <summary>Hands over the last wave's sample, once; null if there is none.</summary>
         public PreviewSample TakeSample()
         {
-            var sample = m_sample;
-            m_sample = null;
+            var sample = Sample;
+            Sample = null;
             return sample;
         }
 
@@ -259,8 +258,8 @@ namespace FastPoints.Sampling
         public void Dispose()
         {
             Free();
-            m_sample?.Dispose();
-            m_sample = null;
+            Sample?.Dispose();
+            Sample = null;
         }
     }
 }

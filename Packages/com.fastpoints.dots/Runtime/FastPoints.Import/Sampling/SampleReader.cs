@@ -15,8 +15,6 @@ namespace FastPoints.Sampling
     {
         public const int PointsPerBlock = 1 << 15;
 
-        readonly SourceTree m_tree;
-        readonly int m_blocks;
         readonly int[] m_sharedReaderCount; // Number of readers of the same points; the last one frees them.
         bool m_isDisposed;
 
@@ -27,7 +25,7 @@ namespace FastPoints.Sampling
             HasAllPoints = sample.HasAllPoints;
             m_sharedReaderCount = new[] { 1 };
             int count = Points.Count;
-            m_blocks = (count + PointsPerBlock - 1) / PointsPerBlock;
+            BlockCount = (count + PointsPerBlock - 1) / PointsPerBlock;
             var bounds = sample.Bounds.IsEmpty ? new BoundsGeo(0, 0) : sample.Bounds;
             Info = new SourceInfo
             {
@@ -44,7 +42,7 @@ namespace FastPoints.Sampling
             // This assumes that the points of a block lie on a surface.
             double spacing = edge / math.sqrt(math.max(1.0, math.min(count, PointsPerBlock)));
             var cube = new BoundsGeo(bounds.Min, bounds.Min + edge);
-            m_tree = TreeOf(cube, spacing);
+            Tree = TreeOf(cube, spacing);
         }
 
         SampleReader(SampleReader other)
@@ -52,27 +50,27 @@ namespace FastPoints.Sampling
             Points = other.Points;
             HasAllPoints = other.HasAllPoints;
             Info = other.Info;
-            m_blocks = other.m_blocks;
+            BlockCount = other.BlockCount;
             m_sharedReaderCount = other.m_sharedReaderCount;
             m_sharedReaderCount[0]++;
-            m_tree = TreeOf(other.m_tree.Cube, other.m_tree.Spacing);
+            Tree = TreeOf(other.Tree.Cube, other.Tree.Spacing);
         }
 
         public bool HasAllPoints { get; }
 
         internal PointBatch Points { get; }
 
-        internal override SourceTree Tree => m_tree;
-        public override int BlockCount => m_blocks;
-        public override int MaxPointsPerBlock => m_blocks == 0 ? 0 : PointsInBlock(0);
+        internal override SourceTree Tree { get; }
+        public override int BlockCount { get; }
+        public override int MaxPointsPerBlock => BlockCount == 0 ? 0 : PointsInBlock(0);
 
-        public override int PointsInBlock(int block) => (Points.Count - block + m_blocks - 1) / m_blocks;
+        public override int PointsInBlock(int block) => (Points.Count - block + BlockCount - 1) / BlockCount;
 
         public override long FirstPointOfBlock(int block)
         {
             // The first blocks have one point more than the others.
-            int longer = Points.Count % m_blocks;
-            return (long)block * (Points.Count / m_blocks) + Math.Min(block, longer);
+            int longer = Points.Count % BlockCount;
+            return (long)block * (Points.Count / BlockCount) + Math.Min(block, longer);
         }
 
         public override long BytesOfRange(BlockRange range) => 0;
@@ -88,7 +86,7 @@ namespace FastPoints.Sampling
             if (m_isDisposed)
                 return;
             m_isDisposed = true;
-            m_tree.Dispose();
+            Tree.Dispose();
             if (--m_sharedReaderCount[0] == 0)
                 Points.Dispose();
         }
@@ -121,9 +119,9 @@ namespace FastPoints.Sampling
         SourceTree TreeOf(BoundsGeo cube, double spacing)
         {
             var tree = new SourceTree(cube, spacing, Allocator.Persistent) { IsHierarchyRead = true };
-            if (m_blocks == 0)
+            if (BlockCount == 0)
                 tree.Add(new SourceNode { Block = -1 });
-            for (int block = 0; block < m_blocks; block++)
+            for (int block = 0; block < BlockCount; block++)
                 tree.Add(new SourceNode { Block = block, PointCount = PointsInBlock(block) });
             return tree;
         }

@@ -40,16 +40,11 @@ namespace FastPoints.Sampling
             return stratum;
         }
 
-        /// <summary>The first of <paramref name="length"/> consecutive points within a stratum, which must be as long as
-        /// that.</summary>
-        public long ChosenRange(int stratum, int length)
+        public long Chosen(int stratum)
         {
             long first = FirstOf(stratum);
-            long count = FirstOf(stratum + 1) - first - length + 1;
-            return first + (long)(Hash((ulong)stratum << 32 | Seed) % (ulong)count);
+            return first + (long)(Hash((ulong)stratum << 32 | Seed) % (ulong)(FirstOf(stratum + 1) - first));
         }
-
-        public long Chosen(int stratum) => ChosenRange(stratum, 1);
 
         /// <summary>The finaliser of SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators",
         /// 2014).</summary>

@@ -101,27 +101,19 @@ namespace FastPoints.Sampling
             int points = 0;
             foreach (var range in ranges)
                 points += range.Count;
-            var batch = new PointBatch(positions, Math.Max(1, points), Allocator.Persistent);
-            var decoded = new NativeReference<DecodeResult>(new DecodeResult { Points = points }, Allocator.Persistent);
+            using var batch = new PointBatch(positions, Math.Max(1, points), Allocator.Persistent);
+            using var decoded = new NativeReference<DecodeResult>(new DecodeResult { Points = points }, Allocator.Persistent);
             m_stored.ResizeUninitialized(points);
             var stored = Stored;
-            try
+            yield return JobStep.Of(reader.ReadRanges(ranges, 0, ranges.Count, batch, read =>
             {
-                yield return JobStep.Of(reader.ReadRanges(ranges, 0, ranges.Count, batch, read =>
-                {
-                    for (int first = 0; first < points; first += PointsPerSlice)
-                        read = Load(batch, decoded, first,
-                            stored.GetSubArray(first, Math.Min(PointsPerSlice, points - first)), read);
-                    return measure(stored, read);
-                }));
-                for (int r = 0, first = 0; r < ranges.Count; first += ranges[r++].Count)
-                    AddRange(first, ranges[r].Count, PointsUpToNext(reader, ranges, r));
-            }
-            finally
-            {
-                batch.Dispose();
-                decoded.Dispose();
-            }
+                for (int first = 0; first < points; first += PointsPerSlice)
+                    read = Load(batch, decoded, first,
+                        stored.GetSubArray(first, Math.Min(PointsPerSlice, points - first)), read);
+                return measure(stored, read);
+            }));
+            for (int r = 0, first = 0; r < ranges.Count; first += ranges[r++].Count)
+                AddRange(first, ranges[r].Count, PointsUpToNext(reader, ranges, r));
         }
 
         static JobHandle Load(PointBatch batch, NativeReference<DecodeResult> decoded, int first, NativeArray<double3> stored,

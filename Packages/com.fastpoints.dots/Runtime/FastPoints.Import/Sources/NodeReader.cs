@@ -18,19 +18,18 @@ namespace FastPoints.Sources
         readonly List<NodeBlock> m_blocks = new List<NodeBlock>();
         readonly HashSet<int> m_reportedBlocks = new HashSet<int>();
         readonly Dictionary<int4, long> m_endOfNode = new Dictionary<int4, long>();
-        readonly SourceTree m_tree;
         int m_maxPointsPerBlock;
 
         private protected NodeReader(SourceInfo info, BoundsGeo cube, double spacing)
         {
             Info = info;
             Warnings = new NodeWarnings(info);
-            m_tree = new SourceTree(cube, spacing, Allocator.Persistent);
+            Tree = new SourceTree(cube, spacing, Allocator.Persistent);
         }
 
-        internal sealed override SourceTree Tree => m_tree;
+        internal sealed override SourceTree Tree { get; }
 
-        public sealed override bool BlocksAreKnown => m_tree.IsHierarchyRead;
+        public sealed override bool BlocksAreKnown => Tree.IsHierarchyRead;
         public sealed override int BlockCount => m_blocks.Count;
         public sealed override int MaxPointsPerBlock => m_maxPointsPerBlock;
 
@@ -45,7 +44,7 @@ namespace FastPoints.Sources
         {
             node.Block = -1;
             if (points <= 0)
-                m_tree.Add(node);
+                Tree.Add(node);
             for (long first = 0; first < points; first += max)
             {
                 int count = (int)Math.Min(max, points - first);
@@ -53,7 +52,7 @@ namespace FastPoints.Sources
                 node.PointCount = count;
                 m_blocks.Add(new NodeBlock
                 {
-                    Node = m_tree.NodeCount,
+                    Node = Tree.NodeCount,
                     FirstPoint = PointCount,
                     FirstInNode = first,
                     Points = count,
@@ -61,7 +60,7 @@ namespace FastPoints.Sources
                     Offset = offset + first * bytesPerPoint,
                     Bytes = bytesPerPoint > 0 ? (long)count * bytesPerPoint : bytes,
                 });
-                m_tree.Add(node);
+                Tree.Add(node);
                 m_maxPointsPerBlock = Math.Max(m_maxPointsPerBlock, count);
             }
         }
@@ -73,7 +72,7 @@ namespace FastPoints.Sources
         internal static long BytesOf(in NodeBlock block) =>
             block.Bytes < 0 ? block.NodePoints * GuessedBytesPerPoint : block.Bytes;
 
-        internal SourceNode NodeOf(int block) => m_tree[m_blocks[block].Node];
+        internal SourceNode NodeOf(int block) => Tree[m_blocks[block].Node];
 
         public abstract IEnumerator<JobStep> ReadHierarchyBelow(int4 node, int levels);
 
@@ -116,7 +115,7 @@ namespace FastPoints.Sources
                 Warnings.Add(kind, NameOf(node.Level, node.Cell), detail, byteOffset, FileOfBlock(block, out _));
         }
 
-        public sealed override void DisposeUnread() => m_tree.Dispose();
+        public sealed override void DisposeUnread() => Tree.Dispose();
     }
 
     struct NodeBlock

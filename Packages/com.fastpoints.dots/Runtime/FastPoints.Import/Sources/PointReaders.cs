@@ -69,10 +69,8 @@ namespace FastPoints.Sources
         /// clouds that lie in a folder as one. Dispose the reader.</summary>
         /// <exception cref="PointCloudException">There is no such file, no permission, the kind is not supported (Unsupported),
         /// or the header is broken; one line.</exception>
-        public static PointReader Open(string path, ReadOptions options = null)
-        {
-            return WithPlacement(OpenComplete(path, options));
-        }
+        public static PointReader Open(string path, ReadOptions options = null) =>
+            WithPlacement(OpenComplete(path, options));
 
         static PointReader WithPlacement(PointReader reader)
         {
@@ -80,24 +78,15 @@ namespace FastPoints.Sources
             return reader;
         }
 
-        internal static PointReader OpenComplete(string path, ReadOptions options)
-        {
-            var reader = OpenWithoutOverrides(path, options);
-            try
+        internal static PointReader OpenComplete(string path, ReadOptions options) =>
+            PointReader.Opened(OpenWithoutOverrides(path, options), reader =>
             {
                 // Tiles are complete, each by itself.
                 if (reader is TiledReader)
-                    return reader;
+                    return;
                 options?.Apply(reader.Info);
                 CrsText.Complete(reader.Info);
-                return reader;
-            }
-            catch
-            {
-                reader.DisposeUnread();
-                throw;
-            }
-        }
+            });
 
         static PointReader OpenWithoutOverrides(string path, ReadOptions options)
         {
@@ -140,21 +129,13 @@ namespace FastPoints.Sources
                     "got " + Describe(head));
         }
 
-        static unsafe PointReader WithHeadHash(RandomAccessFile source, PointReader reader)
-        {
-            try
+        static unsafe PointReader WithHeadHash(RandomAccessFile source, PointReader reader) =>
+            PointReader.Opened(reader, opened =>
             {
                 byte[] head = source.ReadUpTo(0, HashedBytes).Bytes;
                 fixed (byte* first = head)
-                    reader.Info.HeadHash = ContentHash.Of(first, head.Length);
-                return reader;
-            }
-            catch
-            {
-                reader.DisposeUnread();
-                throw;
-            }
-        }
+                    opened.Info.HeadHash = ContentHash.Of(first, head.Length);
+            });
 
         static PointReader OpenLas(RandomAccessFile source)
         {

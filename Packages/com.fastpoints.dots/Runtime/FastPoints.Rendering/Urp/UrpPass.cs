@@ -153,8 +153,7 @@ namespace FastPoints.Rendering.Urp
             scene.AddView(camera, !hasData || cameraData.allowXRRendering);
             if (!scene.BeginPicture(camera))
                 return;
-            if (s_pass == null)
-                s_pass = new UrpPass();
+            s_pass ??= new UrpPass();
             s_pass.m_camera = camera;
             // Without it, and in Scene views, URP draws by its asset's default renderer.
             var renderer = hasData && camera.cameraType != CameraType.SceneView ? cameraData.scriptableRenderer : null;

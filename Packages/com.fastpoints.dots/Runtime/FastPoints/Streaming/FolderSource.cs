@@ -11,7 +11,6 @@ namespace FastPoints.Streaming
     {
         const int MaxTranscoders = 8;
 
-        readonly CloudFolder m_folder;
         readonly CloudLocalSpace m_grid;
         readonly List<ulong[]> m_checked = new List<ulong[]>(); // By page, once registered: see VerifiedPlanes.
         NativeArray<int> m_planes;
@@ -24,7 +23,7 @@ namespace FastPoints.Streaming
         /// <summary>Owns the folder. Streams the position and the named planes, as far as the cloud has them.</summary>
         public FolderSource(CloudFolder folder, params string[] planes)
         {
-            m_folder = folder;
+            Folder = folder;
             m_grid = folder.Manifest.LocalSpace;
             var wanted = new SortedSet<int> { StoreLayout.PositionPlane };
             foreach (string name in planes)
@@ -48,13 +47,13 @@ namespace FastPoints.Streaming
         }
 
         /// <summary>The cloud that is streamed.</summary>
-        public CloudFolder Folder => m_folder;
+        public CloudFolder Folder { get; }
 
         // What is applied to nodes, to be set before pages are made; null if they are shown as stored.
         internal EditPlan Edits
         {
             get => m_edited?.Plan;
-            set => m_edited = value != null ? new EditedNodes(value, m_folder, m_planes, m_isWhole) : null;
+            set => m_edited = value != null ? new EditedNodes(value, Folder, m_planes, m_isWhole) : null;
         }
 
         internal PointCloudException Refused { get; set; } // Why edits are not applied: reported once.
@@ -66,8 +65,8 @@ namespace FastPoints.Streaming
             return refused;
         }
 
-        internal override bool HasNodesOf(NodeSource other) => other is FolderSource folder && !m_folder.IsUnfinished &&
-            folder.m_folder.Manifest.RootHash == m_folder.Manifest.RootHash;
+        internal override bool HasNodesOf(NodeSource other) => other is FolderSource folder && !Folder.IsUnfinished &&
+            folder.Folder.Manifest.RootHash == Folder.Manifest.RootHash;
 
         internal override bool Transcodes(int page, int node) => m_edited != null && m_edited.Has(page, node);
 
@@ -84,43 +83,43 @@ namespace FastPoints.Streaming
         public override void ReturnTranscoder(NodeTranscoder transcoder) => m_idle.Push(transcoder);
         public override NodeTranscoder CreateFullTranscoder() => new EditedTranscoder(m_edited);
 
-        public override string Path => SourcePath.WithoutQuery(m_folder.FolderPath);
-        public override CloudCrs Crs => m_folder.Manifest.Crs;
-        public override bool HasAllPoints => !m_folder.IsUnfinished;
-        public override CloudGrid Grid => m_folder.Manifest.Grid;
-        public override GridCube Root => m_folder.Manifest.Root;
+        public override string Path => SourcePath.WithoutQuery(Folder.FolderPath);
+        public override CloudCrs Crs => Folder.Manifest.Crs;
+        public override bool HasAllPoints => !Folder.IsUnfinished;
+        public override CloudGrid Grid => Folder.Manifest.Grid;
+        public override GridCube Root => Folder.Manifest.Root;
         public override NodeCubes Cubes => new NodeCubes { Size = Root.Side * Grid.Step, Step = Grid.Step };
-        public override StoreLayout Layout => m_folder.Layout;
+        public override StoreLayout Layout => Folder.Layout;
         public override NativeArray<int> Planes => m_planes;
         public override NativeArray<PlaneShape> Shapes => m_shapes;
-        public override int PageCount => m_folder.PageCount;
+        public override int PageCount => Folder.PageCount;
 
         public override unsafe void CreatePages(HierarchyPage* pages)
         {
             for (int page = 1; page < PageCount; page++)
                 pages[page] = EmptyPage(page);
             pages[0] = default;
-            HierarchyPageBuilding.Build(m_folder.Root.View, m_planes, m_grid, ref pages[0]);
-            Number(0, pages[0], m_folder.Root.View);
+            HierarchyPageBuilding.Build(Folder.Root.View, m_planes, m_grid, ref pages[0]);
+            Number(0, pages[0], Folder.Root.View);
         }
 
-        public override HierarchyPage EmptyPage(int page) => HierarchyPage.OfLink(m_folder.LinkOf(page), m_grid);
+        public override HierarchyPage EmptyPage(int page) => HierarchyPage.OfLink(Folder.LinkOf(page), m_grid);
 
         public override void RegisterPage(int page, in HierarchyPage built, NativeArray<byte> table)
         {
-            m_folder.Register(page, PageView.Of(table));
+            Folder.Register(page, PageView.Of(table));
             Number(page, built, PageView.Of(table));
         }
 
-        internal override bool KeepsFilesOpen => !m_folder.IsUnfinished;
+        internal override bool KeepsFilesOpen => !Folder.IsUnfinished;
 
-        public override string PlanesPathOf(int page) => m_folder.PlanesPathOf(page);
+        public override string PlanesPathOf(int page) => Folder.PlanesPathOf(page);
 
-        internal override bool IsComputed(int plane) => m_folder.Layout.Planes[m_planes[plane]].IsComputed;
+        internal override bool IsComputed(int plane) => Folder.Layout.Planes[m_planes[plane]].IsComputed;
 
-        internal override string PathOfComputed(int page) => StreamsComputed ? m_folder.PathOfComputed(page) : null;
+        internal override string PathOfComputed(int page) => StreamsComputed ? Folder.PathOfComputed(page) : null;
 
-        internal override RemoteFile RemoteOfComputed(int page) => StreamsComputed ? m_folder.RemoteOfComputed(page) : null;
+        internal override RemoteFile RemoteOfComputed(int page) => StreamsComputed ? Folder.RemoteOfComputed(page) : null;
         bool StreamsComputed => IsComputed(m_planes.Length - 1); // They are the last.
 
         internal override bool IsVerified(int page, int node, int plane) =>
@@ -136,26 +135,26 @@ namespace FastPoints.Streaming
         {
             if (page < m_checked.Count && m_checked[page] != null)
                 Array.Clear(m_checked[page], 0, m_checked[page].Length);
-            m_folder.DropTail();
+            Folder.DropTail();
             RemoteOfTable(page)?.DropCached();
             PlanesRemoteOf(page)?.DropCached();
             RemoteOfComputed(page)?.DropCached();
             MarkStale();
         }
 
-        internal override RemoteFile PlanesRemoteOf(int page) => m_folder.PlanesRemoteOf(page);
+        internal override RemoteFile PlanesRemoteOf(int page) => Folder.PlanesRemoteOf(page);
 
-        internal override RemoteFile RemoteOfTable(int page) => m_folder.RemoteOfTable(page);
+        internal override RemoteFile RemoteOfTable(int page) => Folder.RemoteOfTable(page);
 
-        internal override double RoundTrip => m_folder.RemoteOfTable(0)?.RoundTrip ?? 0;
+        internal override double RoundTrip => Folder.RemoteOfTable(0)?.RoundTrip ?? 0;
 
         internal override void MarkStale() => MarkedStale?.Invoke();
 
         internal Action MarkedStale { get; set; } // Set by whoever would open it again.
 
-        internal override FilePiece TableOf(int page) => m_folder.TableOf(page);
+        internal override FilePiece TableOf(int page) => Folder.TableOf(page);
 
-        internal override bool TryCopyTable(int page, NativeArray<byte> to) => m_folder.TryCopyPage(page, to);
+        internal override bool TryCopyTable(int page, NativeArray<byte> to) => Folder.TryCopyPage(page, to);
 
         public override JobHandle ScheduleBuild(int page, NativeArray<byte> table, NativeReference<HierarchyPage> built,
             NativeReference<TableProblem> problem) => JobFor(page, table, built, problem).Schedule();
@@ -165,7 +164,7 @@ namespace FastPoints.Streaming
 
         public override IEnumerator<JobStep> OpenForPicking(Action<NodeSource> opened)
         {
-            string path = m_folder.FolderPath;
+            string path = Folder.FolderPath;
             var edits = Edits;
             return PoolTask.Run<FolderSource>(path, () =>
             {
@@ -187,7 +186,7 @@ namespace FastPoints.Streaming
         // On any thread, as long as no transcoder was rented.
         void DisposeUnread()
         {
-            m_folder.Dispose();
+            Folder.Dispose();
             if (!m_planes.IsCreated)
                 return;
             m_planes.Dispose();
@@ -200,11 +199,11 @@ namespace FastPoints.Streaming
         {
             m_edited?.Register(page, built, table);
             for (int n = 0; n < built.NodeCount; n++)
-                built.Nodes[n].FirstPage += m_folder.FirstBelow(page);
+                built.Nodes[n].FirstPage += Folder.FirstBelow(page);
             while (m_checked.Count < PageCount)
                 m_checked.Add(null);
-            if (m_folder.VerifiedPlanes != null && built.NodeCount > 0)
-                m_checked[page] ??= m_folder.VerifiedPlanes.BitsOf(m_folder.LinkOf(page), PlanesPathOf(page),
+            if (Folder.VerifiedPlanes != null && built.NodeCount > 0)
+                m_checked[page] ??= Folder.VerifiedPlanes.BitsOf(Folder.LinkOf(page), PlanesPathOf(page),
                     (long)built.NodeCount * m_shapes.Length);
         }
 
@@ -212,10 +211,10 @@ namespace FastPoints.Streaming
             NativeReference<TableProblem> problem) => new BuildHierarchyPageJob
             {
                 Table = table,
-                Link = m_folder.LinkOf(page),
+                Link = Folder.LinkOf(page),
                 Grid = m_grid,
                 Shapes = m_shapes,
-                ComputedPlaneCount = m_folder.Layout.ComputedPlaneCount,
+                ComputedPlaneCount = Folder.Layout.ComputedPlaneCount,
                 Wanted = m_planes,
                 Built = built,
                 Problem = problem,

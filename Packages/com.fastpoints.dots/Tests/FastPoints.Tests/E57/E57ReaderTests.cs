@@ -1,6 +1,5 @@
 using System;
 using System.Linq;
-using FastPoints.E57;
 using FastPoints.Reading;
 using FastPoints.Sources;
 using FastPoints.Tests.Reading;

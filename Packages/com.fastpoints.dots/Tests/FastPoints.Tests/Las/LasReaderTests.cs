@@ -110,17 +110,15 @@ namespace FastPoints.Tests.Las
             for (int i = 0; i < Count; i++)
                 BitConverter.GetBytes(i).CopyTo(file.Points, i * file.RecordBytes);
             file.Save();
-            using (var reader = PointReaders.Open(file.Path))
-            {
-                Assert.That(reader.BlockCount, Is.EqualTo(3));
-                Assert.That(reader.PointsInBlock(2), Is.EqualTo(123));
-                Assert.That(reader.FirstPointOfBlock(2), Is.EqualTo(2 * 32768));
-                Assert.That(reader.MaxPointsPerBlock, Is.EqualTo(32768));
-                var x = ReadPoints.Column<int>(reader, AttributeNames.X);
-                for (int i = 0; i < Count; i++)
-                    if (x[i] != i)
-                        Assert.That(x[i], Is.EqualTo(i));
-            }
+            using var reader = PointReaders.Open(file.Path);
+            Assert.That(reader.BlockCount, Is.EqualTo(3));
+            Assert.That(reader.PointsInBlock(2), Is.EqualTo(123));
+            Assert.That(reader.FirstPointOfBlock(2), Is.EqualTo(2 * 32768));
+            Assert.That(reader.MaxPointsPerBlock, Is.EqualTo(32768));
+            var x = ReadPoints.Column<int>(reader, AttributeNames.X);
+            for (int i = 0; i < Count; i++)
+                if (x[i] != i)
+                    Assert.That(x[i], Is.EqualTo(i));
         }
 
         [Test]

@@ -4,7 +4,6 @@ using System.IO;
 using System.Linq;
 using FastPoints.Reading;
 using FastPoints.Sources;
-using FastPoints.Text;
 
 namespace FastPoints.Tests.Reading
 {

@@ -44,8 +44,8 @@ namespace FastPoints.Tests.Sampling
             List<PreviewSample.Wave> waves = null)
         {
             using var sampler = new PreviewWaveSampler(reader, wanted, seed);
+            sampler.WaveReady += wave => waves?.Add(wave);
             JobCoroutine.RunToEnd(sampler.Run(slots, new StageProgress()));
-            waves?.AddRange(sampler.Waves);
             return sampler.TakeSample();
         }
 

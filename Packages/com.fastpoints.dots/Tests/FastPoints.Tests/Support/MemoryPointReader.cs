@@ -10,16 +10,14 @@ namespace FastPoints.Tests
     /// <summary>A reader of points that lie in memory, in blocks of any size. Owns its batch.</summary>
     public sealed class MemoryPointReader : PointReader
     {
-        readonly PointBatch m_points;
         readonly int m_pointsPerBlock;
-        readonly bool m_fixedStride;
 
         public MemoryPointReader(PointBatch points, int pointsPerBlock, bool fixedStride = true,
             int pointsReadable = int.MaxValue)
         {
-            m_points = points;
+            Points = points;
             m_pointsPerBlock = pointsPerBlock;
-            m_fixedStride = fixedStride;
+            HasCheapRanges = fixedStride;
             PointsReadable = Math.Min(pointsReadable, points.Count);
             Info = new SourceInfo
             {
@@ -33,18 +31,18 @@ namespace FastPoints.Tests
         }
 
         public int PointsReadable { get; }
-        public PointBatch Points => m_points;
-        public override bool HasCheapRanges => m_fixedStride;
-        public override int BlockCount => (m_points.Count + m_pointsPerBlock - 1) / m_pointsPerBlock;
-        public override int MaxPointsPerBlock => Math.Min(m_pointsPerBlock, Math.Max(1, m_points.Count));
+        public PointBatch Points { get; }
+        public override bool HasCheapRanges { get; }
+        public override int BlockCount => (Points.Count + m_pointsPerBlock - 1) / m_pointsPerBlock;
+        public override int MaxPointsPerBlock => Math.Min(m_pointsPerBlock, Math.Max(1, Points.Count));
         public override long FirstPointOfBlock(int block) => (long)block * m_pointsPerBlock;
-        public override int PointsInBlock(int block) => Math.Min(m_pointsPerBlock, m_points.Count - block * m_pointsPerBlock);
+        public override int PointsInBlock(int block) => Math.Min(m_pointsPerBlock, Points.Count - block * m_pointsPerBlock);
         public override long BytesOfRange(BlockRange range) => (long)range.Count * Info.RecordBytes;
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>
             new MemoryBlockRead(this, wanted, capacity, allocator);
 
-        public override void DisposeUnread() => m_points.Dispose();
+        public override void DisposeUnread() => Points.Dispose();
     }
 
     sealed class MemoryBlockRead : BlockRead

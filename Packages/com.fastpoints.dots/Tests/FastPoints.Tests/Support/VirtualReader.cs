@@ -7,14 +7,12 @@ namespace FastPoints.Tests
     public sealed class VirtualReader : PointReader
     {
         readonly long m_points;
-        readonly int m_blockPoints;
-        readonly bool m_fixedStride;
 
         public VirtualReader(long points, int blockPoints = 1 << 20, bool fixedStride = true)
         {
             m_points = points;
-            m_blockPoints = blockPoints;
-            m_fixedStride = fixedStride;
+            MaxPointsPerBlock = blockPoints;
+            HasCheapRanges = fixedStride;
             Info = new SourceInfo
             {
                 Path = "virtual",
@@ -27,11 +25,11 @@ namespace FastPoints.Tests
             };
         }
 
-        public override int BlockCount => (int)(m_points / m_blockPoints);
-        public override int MaxPointsPerBlock => m_blockPoints;
-        public override bool HasCheapRanges => m_fixedStride;
-        public override long FirstPointOfBlock(int block) => (long)block * m_blockPoints;
-        public override int PointsInBlock(int block) => m_blockPoints;
+        public override int BlockCount => (int)(m_points / MaxPointsPerBlock);
+        public override int MaxPointsPerBlock { get; }
+        public override bool HasCheapRanges { get; }
+        public override long FirstPointOfBlock(int block) => (long)block * MaxPointsPerBlock;
+        public override int PointsInBlock(int block) => MaxPointsPerBlock;
         public override long BytesOfRange(BlockRange range) => 12L * range.Count;
 
         public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) =>

@@ -278,19 +278,17 @@ namespace FastPoints.Tests.Text
             const int count = 60000;
             for (int i = 0; i < count; i++)
                 text.Append(i).Append(new string(' ', random.Next(1, 20))).Append("2.5 3").Append(i % 3 == 0 ? "\r\n" : "\n");
-            using (var reader = Open(text.ToString()))
+            using var reader = Open(text.ToString());
+            Assert.That(reader.BlockCount, Is.GreaterThan(3));
+            Assert.That(Points(reader, "X"), Is.EqualTo(Enumerable.Range(0, count).Select(i => i.ToString())));
+            using var read = reader.CreateRead(reader.Info.Schema.Select("X"), 50, Allocator.Persistent);
+            for (int block = reader.BlockCount - 1; block >= 0; block--)
             {
-                Assert.That(reader.BlockCount, Is.GreaterThan(3));
-                Assert.That(Points(reader, "X"), Is.EqualTo(Enumerable.Range(0, count).Select(i => i.ToString())));
-                using (var read = reader.CreateRead(reader.Info.Schema.Select("X"), 50, Allocator.Persistent))
-                    for (int block = reader.BlockCount - 1; block >= 0; block--)
-                    {
-                        int first = random.Next(reader.PointsInBlock(block) - 50);
-                        read.Begin(new BlockRange(block, first, 50));
-                        read.Complete();
-                        for (int i = 0; i < 50; i++)
-                            Assert.That(read.Points.Column<long>(0)[i], Is.EqualTo(reader.FirstPointOfBlock(block) + first + i));
-                    }
+                int first = random.Next(reader.PointsInBlock(block) - 50);
+                read.Begin(new BlockRange(block, first, 50));
+                read.Complete();
+                for (int i = 0; i < 50; i++)
+                    Assert.That(read.Points.Column<long>(0)[i], Is.EqualTo(reader.FirstPointOfBlock(block) + first + i));
             }
         }
 

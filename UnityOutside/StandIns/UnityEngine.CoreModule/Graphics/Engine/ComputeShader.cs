@@ -5,7 +5,6 @@ public sealed class ComputeShader : Object
 {
     readonly ComputeSource m_source;
     readonly List<ComputeKernel> m_kernels = new List<ComputeKernel>();
-    readonly KeywordSet m_keywords = new KeywordSet();
     readonly CommandBuffer m_commands = new CommandBuffer();
 
     internal ComputeShader(ComputeSource source)
@@ -17,7 +16,7 @@ public sealed class ComputeShader : Object
     }
 
     internal PropertySheet Constants { get; } = new PropertySheet();
-    internal KeywordSet Keywords => m_keywords;
+    internal KeywordSet Keywords { get; } = new KeywordSet();
 
     /// <exception cref="ArgumentException">No such kernel.</exception>
     public int FindKernel(string name)
@@ -31,8 +30,8 @@ public sealed class ComputeShader : Object
     /// <summary>The device here runs all that is compiled.</summary>
     public bool IsSupported(int kernelIndex) => Kernel(kernelIndex) != null;
 
-    public void EnableKeyword(string keyword) => m_keywords.Set(keyword, true);
-    public void DisableKeyword(string keyword) => m_keywords.Set(keyword, false);
+    public void EnableKeyword(string keyword) => Keywords.Set(keyword, true);
+    public void DisableKeyword(string keyword) => Keywords.Set(keyword, false);
     public void SetInt(int nameID, int val) => Constants.Set(nameID, PropertyValue.Of(val));
     public void SetInt(string name, int val) => SetInt(Shader.PropertyToID(name), val);
     public void SetFloat(int nameID, float val) => Constants.Set(nameID, PropertyValue.Of(val));

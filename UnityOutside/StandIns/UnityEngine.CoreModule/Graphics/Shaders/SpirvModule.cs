@@ -7,7 +7,6 @@ sealed class SpirvModule
     const uint Magic = 0x07230203;
     const int HeaderWords = 5;
 
-    readonly uint[] m_words;
     readonly Dictionary<uint, string> m_names = new Dictionary<uint, string>();
     readonly Dictionary<(uint Type, uint Member), string> m_memberNames = new Dictionary<(uint, uint), string>();
     readonly Dictionary<(uint Target, uint Member, Decoration Kind), uint> m_decorations =
@@ -19,9 +18,9 @@ sealed class SpirvModule
 
     internal SpirvModule(byte[] bytes)
     {
-        m_words = new uint[bytes.Length / 4];
-        Buffer.BlockCopy(bytes, 0, m_words, 0, m_words.Length * 4);
-        if (m_words.Length < HeaderWords || m_words[0] != Magic)
+        Words = new uint[bytes.Length / 4];
+        Buffer.BlockCopy(bytes, 0, Words, 0, Words.Length * 4);
+        if (Words.Length < HeaderWords || Words[0] != Magic)
             throw new InvalidDataException("Not SPIR-V");
         Read();
     }
@@ -57,7 +56,7 @@ sealed class SpirvModule
         MemberDecorate = 72,
     }
 
-    internal uint[] Words => m_words;
+    internal uint[] Words { get; }
 
     internal static SpirvModule For(GpuDevice device, byte[] code) =>
         new SpirvModule(device.WritesAnyFormat ? SpirvImageFormats.WithoutAssumed(code) : code);
@@ -67,17 +66,17 @@ sealed class SpirvModule
         var resources = new List<ShaderResource>();
         foreach (int at in m_variables)
         {
-            uint variable = m_words[at + 2];
+            uint variable = Words[at + 2];
             if (!m_valueAt.ContainsKey((variable, Decoration.Binding)))
                 continue;
-            uint type = m_words[m_instructionOf[m_words[at + 1]] + 3];
+            uint type = Words[m_instructionOf[Words[at + 1]] + 3];
             resources.Add(Describe(variable, type));
         }
         return resources;
     }
 
     internal void SetBinding(ShaderResource resource, int binding) =>
-        m_words[m_valueAt[(resource.Variable, Decoration.Binding)]] = (uint)binding;
+        Words[m_valueAt[(resource.Variable, Decoration.Binding)]] = (uint)binding;
 
     ShaderResource Describe(uint variable, uint type)
     {
@@ -88,17 +87,17 @@ sealed class SpirvModule
                 return new ShaderResource(variable, m_names[variable], DescriptorType.Sampler);
             case Op.TypeImage:
                 const uint storage = 2;
-                DescriptorType kind = m_words[at + 7] == storage ? DescriptorType.StorageImage
+                DescriptorType kind = Words[at + 7] == storage ? DescriptorType.StorageImage
                     : DescriptorType.SampledImage;
                 return new ShaderResource(variable, m_names[variable], kind)
                 {
-                    IsArray = m_words[at + 5] != 0,
-                    Format = SpirvImageFormats.Vulkan(m_words[at + 8]),
+                    IsArray = Words[at + 5] != 0,
+                    Format = SpirvImageFormats.Vulkan(Words[at + 8]),
                 };
             case Op.TypeStruct when m_decorations.ContainsKey((type, uint.MaxValue, Decoration.BufferBlock)):
                 return new ShaderResource(variable, m_names[variable], DescriptorType.StorageBuffer)
                 {
-                    Stride = (int)Decorated(m_words[at + 2], Decoration.ArrayStride),
+                    Stride = (int)Decorated(Words[at + 2], Decoration.ArrayStride),
                     IsWritten = !m_decorations.ContainsKey((type, 0, Decoration.NonWritable)),
                 };
             case Op.TypeStruct:
@@ -112,27 +111,27 @@ sealed class SpirvModule
 
     ShaderMember[] MembersOf(uint type, int at)
     {
-        var members = new ShaderMember[(m_words[at] >> 16) - 2];
+        var members = new ShaderMember[(Words[at] >> 16) - 2];
         for (uint i = 0; i < members.Length; i++)
         {
             var member = new ShaderMember(m_memberNames[(type, i)], (int)m_decorations[(type, i, Decoration.Offset)]);
-            uint memberType = m_words[at + 2 + i];
+            uint memberType = Words[at + 2 + i];
             int typeAt = m_instructionOf[memberType];
             if (OpAt(typeAt) == Op.TypeArray)
             {
                 member.Stride = (int)Decorated(memberType, Decoration.ArrayStride);
-                member.Count = (int)m_words[m_instructionOf[m_words[typeAt + 3]] + 3];
-                typeAt = m_instructionOf[m_words[typeAt + 2]];
+                member.Count = (int)Words[m_instructionOf[Words[typeAt + 3]] + 3];
+                typeAt = m_instructionOf[Words[typeAt + 2]];
             }
             if (OpAt(typeAt) == Op.TypeMatrix)
             {
-                member.Columns = (int)m_words[typeAt + 3];
-                typeAt = m_instructionOf[m_words[typeAt + 2]];
+                member.Columns = (int)Words[typeAt + 3];
+                typeAt = m_instructionOf[Words[typeAt + 2]];
             }
             if (OpAt(typeAt) == Op.TypeVector)
             {
-                member.Rows = (int)m_words[typeAt + 3];
-                typeAt = m_instructionOf[m_words[typeAt + 2]];
+                member.Rows = (int)Words[typeAt + 3];
+                typeAt = m_instructionOf[Words[typeAt + 2]];
             }
             member.IsFloat = OpAt(typeAt) == Op.TypeFloat;
             members[i] = member;
@@ -145,24 +144,24 @@ sealed class SpirvModule
 
     void Read()
     {
-        for (int at = HeaderWords; at < m_words.Length; at += (int)(m_words[at] >> 16))
+        for (int at = HeaderWords; at < Words.Length; at += (int)(Words[at] >> 16))
             switch (OpAt(at))
             {
                 case Op.Name:
-                    m_names[m_words[at + 1]] = Text(at + 2);
+                    m_names[Words[at + 1]] = Text(at + 2);
                     break;
                 case Op.MemberName:
-                    m_memberNames[(m_words[at + 1], m_words[at + 2])] = Text(at + 3);
+                    m_memberNames[(Words[at + 1], Words[at + 2])] = Text(at + 3);
                     break;
                 case Op.Decorate:
-                    var decoration = (Decoration)m_words[at + 2];
-                    bool hasValue = m_words[at] >> 16 > 3;
-                    m_decorations[(m_words[at + 1], uint.MaxValue, decoration)] = hasValue ? m_words[at + 3] : 1;
-                    m_valueAt[(m_words[at + 1], decoration)] = at + 3;
+                    var decoration = (Decoration)Words[at + 2];
+                    bool hasValue = Words[at] >> 16 > 3;
+                    m_decorations[(Words[at + 1], uint.MaxValue, decoration)] = hasValue ? Words[at + 3] : 1;
+                    m_valueAt[(Words[at + 1], decoration)] = at + 3;
                     break;
                 case Op.MemberDecorate:
-                    m_decorations[(m_words[at + 1], m_words[at + 2], (Decoration)m_words[at + 3])] =
-                        m_words[at] >> 16 > 4 ? m_words[at + 4] : 1;
+                    m_decorations[(Words[at + 1], Words[at + 2], (Decoration)Words[at + 3])] =
+                        Words[at] >> 16 > 4 ? Words[at + 4] : 1;
                     break;
                 case Op.TypeInt:
                 case Op.TypeFloat:
@@ -174,10 +173,10 @@ sealed class SpirvModule
                 case Op.TypeRuntimeArray:
                 case Op.TypeStruct:
                 case Op.TypePointer:
-                    m_instructionOf[m_words[at + 1]] = at;
+                    m_instructionOf[Words[at + 1]] = at;
                     break;
                 case Op.Constant:
-                    m_instructionOf[m_words[at + 2]] = at;
+                    m_instructionOf[Words[at + 2]] = at;
                     break;
                 case Op.Variable:
                     m_variables.Add(at);
@@ -185,7 +184,7 @@ sealed class SpirvModule
             }
     }
 
-    Op OpAt(int at) => (Op)(m_words[at] & 0xffff);
+    Op OpAt(int at) => (Op)(Words[at] & 0xffff);
 
     string Text(int at)
     {
@@ -193,7 +192,7 @@ sealed class SpirvModule
         for (; ; at++)
             for (int shift = 0; shift < 32; shift += 8)
             {
-                byte b = (byte)(m_words[at] >> shift);
+                byte b = (byte)(Words[at] >> shift);
                 if (b == 0)
                     return Encoding.UTF8.GetString(bytes.ToArray());
                 bytes.Add(b);

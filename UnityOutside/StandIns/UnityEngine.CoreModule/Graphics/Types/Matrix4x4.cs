@@ -42,18 +42,8 @@ public unsafe partial struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
 
     public float this[int index]
     {
-        get
-        {
-            CheckIndex(index);
-            fixed (float* first = &m00)
-                return first[index];
-        }
-        set
-        {
-            CheckIndex(index);
-            fixed (float* first = &m00)
-                first[index] = value;
-        }
+        get => SystemUnsafe.Add(ref m00, CheckIndex(index));
+        set => SystemUnsafe.Add(ref m00, CheckIndex(index)) = value;
     }
 
     public static Matrix4x4 operator *(Matrix4x4 lhs, Matrix4x4 rhs) => new Matrix4x4(
@@ -124,9 +114,6 @@ public unsafe partial struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
         return string.Join("\n", lines) + "\n";
     }
 
-    static void CheckIndex(int index)
-    {
-        if ((uint)index >= 16)
-            throw new IndexOutOfRangeException("Invalid matrix index!");
-    }
+    static int CheckIndex(int index) =>
+        (uint)index < 16 ? index : throw new IndexOutOfRangeException("Invalid matrix index!");
 }

@@ -20,31 +20,12 @@ public struct Vector3 : IEquatable<Vector3>, IFormattable
 
     public float this[int index]
     {
-        get => index switch
-        {
-            0 => x,
-            1 => y,
-            2 => z,
-            _ => throw new IndexOutOfRangeException("Invalid Vector3 index!"),
-        };
-        set
-        {
-            switch (index)
-            {
-                case 0:
-                    x = value;
-                    break;
-                case 1:
-                    y = value;
-                    break;
-                case 2:
-                    z = value;
-                    break;
-                default:
-                    throw new IndexOutOfRangeException("Invalid Vector3 index!");
-            }
-        }
+        get => SystemUnsafe.Add(ref x, CheckIndex(index));
+        set => SystemUnsafe.Add(ref x, CheckIndex(index)) = value;
     }
+
+    static int CheckIndex(int index) =>
+        (uint)index < 3 ? index : throw new IndexOutOfRangeException("Invalid Vector3 index!");
 
     public static Vector3 Scale(Vector3 a, Vector3 b) => new Vector3(a.x * b.x, a.y * b.y, a.z * b.z);
     public static float Dot(Vector3 lhs, Vector3 rhs) => lhs.x * rhs.x + lhs.y * rhs.y + lhs.z * rhs.z;

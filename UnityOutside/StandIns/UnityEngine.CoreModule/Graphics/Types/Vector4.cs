@@ -16,35 +16,12 @@ public struct Vector4 : IEquatable<Vector4>, IFormattable
 
     public float this[int index]
     {
-        get => index switch
-        {
-            0 => x,
-            1 => y,
-            2 => z,
-            3 => w,
-            _ => throw new IndexOutOfRangeException("Invalid Vector4 index!"),
-        };
-        set
-        {
-            switch (index)
-            {
-                case 0:
-                    x = value;
-                    break;
-                case 1:
-                    y = value;
-                    break;
-                case 2:
-                    z = value;
-                    break;
-                case 3:
-                    w = value;
-                    break;
-                default:
-                    throw new IndexOutOfRangeException("Invalid Vector4 index!");
-            }
-        }
+        get => SystemUnsafe.Add(ref x, CheckIndex(index));
+        set => SystemUnsafe.Add(ref x, CheckIndex(index)) = value;
     }
+
+    static int CheckIndex(int index) =>
+        (uint)index < 4 ? index : throw new IndexOutOfRangeException("Invalid Vector4 index!");
 
     public static Vector4 operator +(Vector4 a, Vector4 b) => new Vector4(a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w);
     public static Vector4 operator -(Vector4 a, Vector4 b) => new Vector4(a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w);

@@ -100,20 +100,12 @@ namespace FastPoints.Build
                     if (container.Left > 0)
                     {
                         m_count.Value = 0;
-                        var job = new TakeNormalsJob
+                        yield return JobStep.Of(JobStep.Await(new TakeNormalsJob
                         {
                             From = normals.GetSubArray(first, count),
                             To = container.Normals.GetSubArray(FirstOf(container, page, n, nodes), count),
                             Count = m_count,
-                        }.Schedule();
-                        try
-                        {
-                            yield return job;
-                        }
-                        finally
-                        {
-                            job.Complete();
-                        }
+                        }.Schedule()));
                         container.Left -= m_count.Value;
                         Points += m_count.Value;
                         if (container.Left == 0)
@@ -167,21 +159,13 @@ namespace FastPoints.Build
             }
             using var file = new NativeList<byte>(1024, Allocator.Persistent);
             using var ranges = new NativeArray<PlaneRange>(container.Nodes.Count, Allocator.Persistent);
-            var done = new PackNormalsJob
+            yield return JobStep.Of(JobStep.Await(new PackNormalsJob
             {
                 Groups = groups,
                 Normals = container.Normals,
                 File = file,
                 Ranges = ranges,
-            }.Schedule();
-            try
-            {
-                yield return done;
-            }
-            finally
-            {
-                done.Complete();
-            }
+            }.Schedule()));
             Complete(container, ranges, file);
             yield return JobStep.Of(CloudFolderWriter.Await(m_write(StoreFormat.PathOf(container.Record), file.AsArray())));
             container.Normals.Dispose();

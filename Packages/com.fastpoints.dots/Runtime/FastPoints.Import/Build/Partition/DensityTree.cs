@@ -59,9 +59,9 @@ namespace FastPoints.Build
             double maxPoints, JobHandle coded, Action<DensityTree> take)
         {
             var tree = new DensityTree { m_share = share, m_ranges = ranges.Length };
-            var bricks = new NativeArray<int>(Math.Max(1, codes.Length), Allocator.Persistent);
-            var touched = new NativeList<int>(Allocator.Persistent);
-            var bricksOfDepth = new NativeReference<int2>(new int2(0, 1), Allocator.Persistent);
+            using var bricks = new NativeArray<int>(Math.Max(1, codes.Length), Allocator.Persistent);
+            using var touched = new NativeList<int>(Allocator.Persistent);
+            using var bricksOfDepth = new NativeReference<int2>(new int2(0, 1), Allocator.Persistent);
             try
             {
                 var begins = new List<int> { 0 };
@@ -101,9 +101,6 @@ namespace FastPoints.Build
             }
             finally
             {
-                bricksOfDepth.Dispose();
-                bricks.Dispose();
-                touched.Dispose();
                 tree?.Dispose();
             }
         }

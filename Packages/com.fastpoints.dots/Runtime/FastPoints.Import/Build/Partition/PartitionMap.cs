@@ -144,9 +144,7 @@ namespace FastPoints.Build
             }
         }
 
-        public static int CountChunks(DensityTree density, long target) => CountChunks(density, target, DensityNumbers.Root);
-
-        static int CountChunks(DensityTree density, long target, int cell)
+        public static int CountChunks(DensityTree density, long target, int cell = DensityNumbers.Root)
         {
             int below = density.FirstChildOf(cell);
             if (below < 0 || Fits(density[cell], target))
@@ -253,8 +251,6 @@ namespace FastPoints.Build
     /// by the sample, and the octants around them if the root had to grow. They fill it.</summary>
     internal sealed class BaseCells
     {
-        readonly GridCube[] m_cells;
-
         /// <param name="cube">The partition's, which the cells fill.</param>
         /// <param name="shells">See <see cref="RootCube.Grow"/>.</param>
         public BaseCells(GridCube cube, GridCube[] cells, GridCube[] shells)
@@ -273,32 +269,32 @@ namespace FastPoints.Build
             Around = around.ToArray();
             around.AddRange(cells);
             around.Sort(Compare);
-            m_cells = around.ToArray();
+            All = around.ToArray();
         }
 
         public GridCube Root { get; } // The cube that they fill: the partition's, or the last shell.
 
-        public GridCube[] All => m_cells;
+        public GridCube[] All { get; }
 
         public GridCube[] Around { get; } // The octants around the partition's cube, in Morton order.
 
-        public GridCube At(Grid3 position) => m_cells[IndexOf(position)];
+        public GridCube At(Grid3 position) => All[IndexOf(position)];
 
         /// <summary>Those in a larger cube, in Morton order.</summary>
         public GridCube[] In(GridCube cube)
         {
             int first = IndexOf(cube.Corner), end = first;
-            while (end < m_cells.Length && cube.ContainsAligned(m_cells[end]))
+            while (end < All.Length && cube.ContainsAligned(All[end]))
                 end++;
             var cells = new GridCube[end - first];
-            Array.Copy(m_cells, first, cells, 0, cells.Length);
+            Array.Copy(All, first, cells, 0, cells.Length);
             return cells;
         }
 
         /// <summary>The last one whose corner does not come after the position.</summary>
         int IndexOf(Grid3 position)
         {
-            int found = Array.BinarySearch(m_cells, new GridCube(position, 0), Comparer<GridCube>.Create(Compare));
+            int found = Array.BinarySearch(All, new GridCube(position, 0), Comparer<GridCube>.Create(Compare));
             return found >= 0 ? found : ~found - 1;
         }
 

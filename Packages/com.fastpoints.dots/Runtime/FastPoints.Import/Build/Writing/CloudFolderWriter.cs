@@ -63,15 +63,7 @@ namespace FastPoints.Build
         public IEnumerator<JobStep> Write(string name, byte[] content)
         {
             using var bytes = new NativeArray<byte>(content, Allocator.Persistent);
-            var ticket = Write(name, bytes);
-            try
-            {
-                yield return JobStep.Of(Await(ticket));
-            }
-            finally
-            {
-                ticket.WaitAndStopRetries();
-            }
+            yield return JobStep.Of(Await(Write(name, bytes)));
         }
 
         /// <summary>Cuts a file to a size; 0 deletes it.</summary>

@@ -33,14 +33,12 @@ namespace FastPoints.Build
             : a.Subtree.Cube.SideLog2 != b.Subtree.Cube.SideLog2 ? b.Subtree.Cube.SideLog2.CompareTo(a.Subtree.Cube.SideLog2)
             : a.Subtree.Container.Part.CompareTo(b.Subtree.Container.Part));
 
-        public int TableBytes(int planeCount) => NodeCount * ChunkResult.BytesPerNode(planeCount);
-
         /// <summary>Coroutine: reads the table.</summary>
         /// <exception cref="PointCloudException">It is damaged.</exception>
         public IEnumerator<JobStep> Load(int planeCount)
         {
             using var read = new StoreRead();
-            read.Begin(Path, TableOffset, TableBytes(planeCount));
+            read.Begin(Path, TableOffset, NodeCount * ChunkResult.BytesPerNode(planeCount));
             yield return read.Done;
             read.Complete();
             StoreFile.CheckHash(Path, TableOffset, read.Bytes, TableHash);

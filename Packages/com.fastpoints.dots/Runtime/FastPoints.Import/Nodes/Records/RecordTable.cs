@@ -70,9 +70,7 @@ namespace FastPoints.Nodes
                 SiftDown(keys, root, count, mask);
             for (int end = count - 1; end > 0; end--)
             {
-                ulong largest = keys[0];
-                keys[0] = keys[end];
-                keys[end] = largest;
+                (keys[0], keys[end]) = (keys[end], keys[0]);
                 SiftDown(keys, 0, end, mask);
             }
         }

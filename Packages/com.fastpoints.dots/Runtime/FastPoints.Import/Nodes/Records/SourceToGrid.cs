@@ -163,7 +163,7 @@ namespace FastPoints.Nodes
             var choice = new GridChoice { Sources = new SourceToGrid[infos.Count] };
             var steps = new double[3];
             for (int axis = 0; axis < 3; axis++)
-                steps[axis] = StepOf(infos, samples, axis);
+                steps[axis] = IsInteger(infos, axis) ? CommonStep(infos, axis) : FloatStep(infos, samples, axis, NameOf(axis));
             double common = CommonGrid.StepOf(steps, new double[3]);
             bool isNarrow = true;
             var origin = default(Grid3);
@@ -211,9 +211,6 @@ namespace FastPoints.Nodes
                 isInteger &= !info.Schema[info.Schema.IndexOf(NameOf(axis))].Type.IsFloat();
             return isInteger;
         }
-
-        static double StepOf(IReadOnlyList<SourceInfo> infos, IReadOnlyList<SampleStatistics> samples, int axis) =>
-            IsInteger(infos, axis) ? CommonStep(infos, axis) : FloatStep(infos, samples, axis, NameOf(axis));
 
         static SourceAxis[] ChooseAxis(IReadOnlyList<SourceInfo> infos, int axis, double step, out double origin)
         {

@@ -68,5 +68,14 @@ namespace FastPoints.Nodes
 
         public bool HasNodes;
         public int AttachNode; // Out: the node that the chunk's other nodes are attached to.
+
+        public static TopNode Of(in NodeDraft top, bool hasNodes) => new TopNode
+        {
+            SideLog2 = top.SideLog2,
+            CellLog2 = top.CellLog2,
+            IsLeaf = top.IsLeaf,
+            HasNodes = hasNodes,
+            AttachNode = -1,
+        };
     }
 }

@@ -106,7 +106,6 @@ namespace FastPoints.Reading
         readonly PointReader m_reader;
         readonly List<IDisposable> m_owned = new List<IDisposable>();
         NativeReference<DecodeResult> m_result;
-        bool m_isBusy;
         bool m_isDisposed;
 
         protected OwningBlockRead(PointReader reader, PointSchema wanted, int capacity, Allocator allocator)
@@ -122,7 +121,7 @@ namespace FastPoints.Reading
             Result = m_result = Own(new NativeReference<DecodeResult>(allocator));
         }
 
-        protected bool IsBusy => m_isBusy;
+        protected bool IsBusy { get; private set; }
 
         // The range is not empty.
         protected abstract JobHandle Schedule(BlockRange range);
@@ -157,7 +156,7 @@ namespace FastPoints.Reading
 
         public sealed override void Begin(BlockRange range)
         {
-            if (m_isBusy)
+            if (IsBusy)
                 throw new InvalidOperationException(SlotRing.InFlight);
             if (range.Block < 0 || range.Block >= m_reader.BlockCount)
                 throw new ArgumentOutOfRangeException(nameof(range), range.Block, "no such block");
@@ -173,14 +172,14 @@ namespace FastPoints.Reading
             if (FileRead != null)
                 FileRead.Fetched = TakeFetched();
             Decoded = range.Count == 0 ? default : Schedule(range);
-            m_isBusy = true;
+            IsBusy = true;
         }
 
         public sealed override void Complete()
         {
-            if (!m_isBusy)
+            if (!IsBusy)
                 throw new InvalidOperationException(SlotRing.NotInFlight);
-            m_isBusy = false;
+            IsBusy = false;
             Decoded.Complete();
             if (Range.Count == 0)
                 return;
@@ -195,9 +194,9 @@ namespace FastPoints.Reading
                 return;
             m_isDisposed = true;
             Fetched?.Dispose();
-            if (m_isBusy)
+            if (IsBusy)
                 Cancel();
-            m_isBusy = false;
+            IsBusy = false;
             Decoded.Complete();
             DisposeMore();
             for (int i = m_owned.Count - 1; i >= 0; i--)

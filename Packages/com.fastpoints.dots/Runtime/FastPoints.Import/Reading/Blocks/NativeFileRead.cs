@@ -18,7 +18,6 @@ namespace FastPoints.Reading
         NativeArray<ReadCommand> m_commands;
         ReadHandle m_handle;
         string m_path;
-        bool m_isReading;
         RemoteFetch m_fetched;
         JobHandle m_copied;
         PointCloudException m_failure;
@@ -47,7 +46,7 @@ namespace FastPoints.Reading
         public NativeArray<ReadCommand> Commands => m_commands;
         public long Offset => m_commands[0].Offset;
         public int Bytes => (int)m_commands[0].Size;
-        public bool IsReading => m_isReading;
+        public bool IsReading { get; private set; }
 
         // What the next read of remote files needs. Freed when that has ended.
         public RemoteFetch Fetched
@@ -107,7 +106,7 @@ namespace FastPoints.Reading
                 ReadCommands = (ReadCommand*)m_commands.GetUnsafePtr(),
                 CommandCount = commands,
             });
-            m_isReading = true;
+            IsReading = true;
             return m_handle.JobHandle;
         }
 
@@ -127,14 +126,14 @@ namespace FastPoints.Reading
             if (commands == 0)
                 return default;
             m_handle = FileReads.BeginOneShot(path, (ReadCommand*)m_commands.GetUnsafePtr(), commands);
-            m_isReading = true;
+            IsReading = true;
             return m_handle.JobHandle;
         }
 
         // What nobody has fetched is waited for.
         JobHandle CopyFetched(int commands)
         {
-            m_isReading = true;
+            IsReading = true;
             m_failure = m_fetched?.Failure;
             try
             {
@@ -167,9 +166,9 @@ namespace FastPoints.Reading
         public ReadStatus Close(out long got)
         {
             got = Bytes;
-            if (!m_isReading)
+            if (!IsReading)
                 return ReadStatus.Complete;
-            m_isReading = false;
+            IsReading = false;
             if (SourcePath.IsRemote(m_path))
                 return EndCopying();
             m_handle.JobHandle.Complete();
@@ -192,7 +191,7 @@ namespace FastPoints.Reading
 
         public void Cancel()
         {
-            if (m_isReading && !SourcePath.IsRemote(m_path))
+            if (IsReading && !SourcePath.IsRemote(m_path))
                 m_handle.Cancel();
         }
 

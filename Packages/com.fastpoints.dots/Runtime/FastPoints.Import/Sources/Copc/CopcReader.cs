@@ -16,7 +16,6 @@ namespace FastPoints.Sources
         const int DefaultPointsAcross = 128;
 
         readonly CopcHierarchy m_hierarchy;
-        readonly SourceTree m_tree;
 
         CopcReader(LazBlocks blocks, CopcInfo copc) : base(blocks)
         {
@@ -29,8 +28,8 @@ namespace FastPoints.Sources
                 Info.Warn(copc.FileOffset, "the octree's spacing is " + NumberText.Of(copc.Spacing)
                     + ": taken as the edge of its cube over " + DefaultPointsAcross);
             }
-            m_tree = new SourceTree(copc.Cube, spacing, Allocator.Persistent);
-            m_hierarchy = new CopcHierarchy(blocks, copc, m_tree);
+            Tree = new SourceTree(copc.Cube, spacing, Allocator.Persistent);
+            m_hierarchy = new CopcHierarchy(blocks, copc, Tree);
         }
 
         // Null if the file is not COPC, or can only be read as LAZ, with a warning. longChunkPoints: of a node that is one block.
@@ -59,21 +58,21 @@ namespace FastPoints.Sources
 
         public CopcInfo Copc { get; }
 
-        internal override SourceTree Tree => m_tree;
+        internal override SourceTree Tree { get; }
 
-        public override bool BlocksAreKnown => m_tree.IsHierarchyRead;
+        public override bool BlocksAreKnown => Tree.IsHierarchyRead;
 
         public IEnumerator<JobStep> ReadHierarchyBelow(int4 node, int levels) => m_hierarchy.Read(node, Math.Max(1, levels));
 
-        public bool IsKnownBelow(int4 node, int levels) => m_tree.IsHierarchyRead || m_hierarchy.IsKnown(node, levels);
+        public bool IsKnownBelow(int4 node, int levels) => Tree.IsHierarchyRead || m_hierarchy.IsKnown(node, levels);
 
         public override IEnumerator<JobStep> IndexBlocks()
         {
-            if (m_tree.IsHierarchyRead)
+            if (Tree.IsHierarchyRead)
                 yield break;
             yield return JobStep.Of(m_hierarchy.Read(default, int.MaxValue));
             m_hierarchy.WarnUnreported();
-            yield return JobStep.Of(PoolTask.Run(Info.Path, CompleteBlocks, checkedAll => m_tree.IsHierarchyRead = checkedAll));
+            yield return JobStep.Of(PoolTask.Run(Info.Path, CompleteBlocks, checkedAll => Tree.IsHierarchyRead = checkedAll));
         }
 
         bool CompleteBlocks()
@@ -114,7 +113,7 @@ namespace FastPoints.Sources
                     + Info.PointsClaimed + " points, the file holds none");
         }
 
-        public override void DisposeUnread() => m_tree.Dispose();
+        public override void DisposeUnread() => Tree.Dispose();
     }
 
     // The copc info VLR (COPC 1.0), the first of a file, so that its data starts at byte 429; other places are tolerated.

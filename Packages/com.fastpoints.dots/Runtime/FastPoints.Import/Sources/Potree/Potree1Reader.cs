@@ -34,7 +34,6 @@ namespace FastPoints.Sources
         readonly Potree1Files m_files;
         readonly double m_scale;
         readonly int m_stepSize;
-        readonly PotreeLayout m_layout;
 
         readonly LasTemplate m_template;
         readonly List<(string Name, long Points)> m_listed;
@@ -52,7 +51,7 @@ namespace FastPoints.Sources
             m_files = files;
             m_scale = metadata.Scale;
             m_stepSize = metadata.StepSize;
-            m_layout = layout;
+            Layout = layout;
             m_listed = listed;
             if (listed == null)
                 Pages.Add(default);
@@ -87,11 +86,11 @@ namespace FastPoints.Sources
             return WithFirstLevel(new Potree1Reader(metadata, files, layout, template, listed));
         }
 
-        public override bool HasCheapRanges => m_layout != null;
+        public override bool HasCheapRanges => Layout != null;
 
-        internal override PotreeLayout Layout => m_layout;
+        internal override PotreeLayout Layout { get; }
 
-        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) => m_layout != null
+        public override BlockRead CreateRead(PointSchema wanted, int capacity, Allocator allocator) => Layout != null
             ? (BlockRead)new PotreeRecordRead(this, wanted, capacity, allocator)
             : new LasNodeRead(this, m_template, true, wanted, capacity, allocator);
 
@@ -250,8 +249,8 @@ namespace FastPoints.Sources
 
         Func<Potree1Node[]> FileLookup(Potree1Node[] nodes)
         {
-            bool isLas = m_layout == null;
-            long recordBytes = m_layout?.RecordBytes ?? 0;
+            bool isLas = Layout == null;
+            long recordBytes = Layout?.RecordBytes ?? 0;
             return () =>
             {
                 for (int i = 0; i < nodes.Length; i++)
@@ -291,16 +290,16 @@ namespace FastPoints.Sources
             if (node.Bytes > 0)
             {
                 Info.FileBytes += node.Bytes;
-                points = m_layout != null ? node.Bytes / m_layout.RecordBytes : node.PointsOfLas;
+                points = Layout != null ? node.Bytes / Layout.RecordBytes : node.PointsOfLas;
                 // The converters wrote 0 for nodes that they had already flushed.
-                if (points != node.Claimed && node.Claimed > 0 || m_layout != null && node.Bytes % m_layout.RecordBytes != 0)
+                if (points != node.Claimed && node.Claimed > 0 || Layout != null && node.Bytes % Layout.RecordBytes != 0)
                     Warnings.Add("its file does not hold what the hierarchy says", name,
-                        "wanted " + NumberText.Of(node.Claimed) + " points, got " + NumberText.Of(points) + (m_layout == null ? ""
-                            : " and " + NumberText.Of(node.Bytes % m_layout.RecordBytes) + " bytes"), -1, node.Path);
+                        "wanted " + NumberText.Of(node.Claimed) + " points, got " + NumberText.Of(points) + (Layout == null ? ""
+                            : " and " + NumberText.Of(node.Bytes % Layout.RecordBytes) + " bytes"), -1, node.Path);
             }
             if (node.Bytes == UnknownBytes)
                 points = node.PointsOfLas;
-            AddNode(node.Level, node.Cell, points, 0, node.Bytes, m_layout?.RecordBytes ?? 0);
+            AddNode(node.Level, node.Cell, points, 0, node.Bytes, Layout?.RecordBytes ?? 0);
         }
 
         // By a node's own header, but no more than its bytes can hold.

@@ -31,7 +31,6 @@ namespace FastPoints.Sources
         readonly long m_hierarchyBytes;
         readonly long m_octreeBytes;
         readonly SourceHandle m_octree;
-        readonly PotreeLayout m_layout;
         readonly Queue<(int Level, int3 Cell)> m_nodesOfPage = new Queue<(int, int3)>();
         ByteReader m_records;
         long m_recordOffset;
@@ -48,7 +47,7 @@ namespace FastPoints.Sources
         {
             m_hierarchyPath = hierarchyPath;
             m_hierarchyBytes = hierarchyBytes;
-            m_layout = metadata.Layout;
+            Layout = metadata.Layout;
             IsBrotli = metadata.IsBrotli;
             m_octree = new SourceHandle(SourcePath.Full(SiblingOf(metadata.Info.Path, OctreeName)));
             m_octreeBytes = octreeBytes;
@@ -76,7 +75,7 @@ namespace FastPoints.Sources
 
         internal bool IsBrotli { get; }
 
-        internal override PotreeLayout Layout => m_layout;
+        internal override PotreeLayout Layout { get; }
 
         bool HasPoints => m_octreeBytes >= 0;
 
@@ -242,7 +241,7 @@ namespace FastPoints.Sources
                     m_hierarchyPath);
             if (points > 0 && HasPoints)
                 m_octreeBytesClaimed += bytes;
-            AddNode(level, cell, points, offset, bytes, IsBrotli ? 0 : m_layout.RecordBytes);
+            AddNode(level, cell, points, offset, bytes, IsBrotli ? 0 : Layout.RecordBytes);
         }
 
         // points: the claimed number; becomes the possible one.
@@ -262,14 +261,14 @@ namespace FastPoints.Sources
             if (IsBrotli)
             {
                 bool isCut = bytes > room - offset;
-                long max = Math.Min(Math.Min(MaxNodePoints, MaxNodeBytes / m_layout.RecordBytes),
+                long max = Math.Min(Math.Min(MaxNodePoints, MaxNodeBytes / Layout.RecordBytes),
                     bytes > MaxStreamBytes ? 0 : bytes * MaxPointsPerByte);
                 if (isCut || points > max)
                     points = 0;
                 return points > 0 ? null : detail + (isCut ? NumberText.Of(room - offset) + " bytes before the end of the file"
                     : "room for " + NumberText.Of(max));
             }
-            points = Math.Min(points, Math.Min(bytes, room - offset) / m_layout.RecordBytes);
+            points = Math.Min(points, Math.Min(bytes, room - offset) / Layout.RecordBytes);
             return points == claimed ? null : detail + "room for " + NumberText.Of(points);
         }
 

@@ -42,21 +42,12 @@ namespace FastPoints.Sources
         private protected UnreadPages Pages { get; } = new UnreadPages(MaxLevels + 1);
 
         // The reader, once it has read the first level of its tree.
-        private protected static T WithFirstLevel<T>(T reader) where T : PotreeReader
+        private protected static T WithFirstLevel<T>(T reader) where T : PotreeReader => Opened(reader, opened =>
         {
-            try
-            {
-                using (var steps = new CoroutineStack(reader.ReadHierarchyBelow(default, 1)))
-                    while (steps.MoveNext())
-                        Thread.Yield();
-                return reader;
-            }
-            catch
-            {
-                reader.DisposeUnread();
-                throw;
-            }
-        }
+            using var steps = new CoroutineStack(opened.ReadHierarchyBelow(default, 1));
+            while (steps.MoveNext())
+                Thread.Yield();
+        });
 
         public override IEnumerator<JobStep> IndexBlocks() => ReadHierarchyBelow(default, MaxLevels + 1);
 

@@ -18,7 +18,6 @@ namespace FastPoints.Sources
         readonly int m_planesOfPage;
         readonly TreePlanes m_planes;
         BlockRead m_read;
-        int m_capacity;
         NativeArray<byte> m_offsets;
         NativeArray<uint> m_pointOfRank;
         NativeArray<ulong> m_keys;
@@ -50,7 +49,7 @@ namespace FastPoints.Sources
         // All nodes lie in one file, whose failure is then reported once.
         bool IsOneFile => m_reader is CopcReader || m_reader is Potree2Reader;
 
-        public int Capacity => m_capacity;
+        public int Capacity { get; private set; }
 
         public void Join(TranscoderChain chain, int points)
         {
@@ -106,7 +105,7 @@ namespace FastPoints.Sources
         {
             try
             {
-                if (m_node.PointCount > m_capacity)
+                if (m_node.PointCount > Capacity)
                     Reserve(m_node.PointCount);
                 m_read.Dependency = m_chain?.End ?? default;
                 m_read.Fetched = m_fetched;
@@ -182,7 +181,7 @@ namespace FastPoints.Sources
                 CubeCorner = grid.PositionOf(m_node.Key),
                 CubeBits = math.min(grid.BitsOf(m_node.Level), 62),
                 Count = count,
-                Capacity = m_capacity,
+                Capacity = Capacity,
                 Offsets = m_offsets,
                 PointOfRank = m_pointOfRank,
                 State = m_state,
@@ -207,7 +206,7 @@ namespace FastPoints.Sources
                 Shape = ShapeOf(plane),
                 Plane = plane,
                 Count = m_node.PointCount,
-                Capacity = m_capacity,
+                Capacity = Capacity,
                 Packed = m_packed,
                 LengthOfPlane = m_lengthOfPlane,
                 State = m_state,
@@ -244,7 +243,7 @@ namespace FastPoints.Sources
             for (int p = 0; p < m_planes.Count; p++)
                 bytes += ShapeOf(p).MaxBytes(PlaneShape.BlocksOf(capacity), capacity);
             m_packed = Allocate<byte>(bytes);
-            m_capacity = capacity;
+            Capacity = capacity;
         }
 
         static NativeArray<T> Allocate<T>(long count) where T : unmanaged =>
@@ -252,7 +251,7 @@ namespace FastPoints.Sources
 
         void FreeBuffers()
         {
-            m_capacity = 0;
+            Capacity = 0;
             m_read?.Dispose();
             m_read = null;
             if (!m_offsets.IsCreated)

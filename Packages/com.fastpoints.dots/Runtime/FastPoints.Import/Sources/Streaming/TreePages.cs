@@ -28,7 +28,6 @@ namespace FastPoints.Sources
         readonly List<bool> m_isPageKnown = new List<bool> { true };
         NativeParallelHashMap<int4, int> m_nodeOfKey;
         CoroutineStack m_reading;
-        JobHandle m_step;
         JobHandle m_building;
         int m_nodes;
         bool m_isBroken; // After a failure, no more of the hierarchy is read.
@@ -50,7 +49,7 @@ namespace FastPoints.Sources
         }
 
         public int Count => m_rootOfPage.Count;
-        public JobHandle Step => m_step;
+        public JobHandle Step { get; private set; }
         public bool IsReading => m_reading != null || m_requestedPage != None;
 
         // The page's levels, and the one below, are known. The first requested page that is not is read next.
@@ -65,9 +64,9 @@ namespace FastPoints.Sources
         public PointCloudException Update()
         {
             // Jobs that build pages read the lists that would grow.
-            if (!IsReading || !JobCoroutine.HasEnded(m_step) || !JobCoroutine.HasEnded(m_building))
+            if (!IsReading || !JobCoroutine.HasEnded(Step) || !JobCoroutine.HasEnded(m_building))
                 return null;
-            m_step.Complete();
+            Step.Complete();
             m_building.Complete();
             try
             {
@@ -80,7 +79,7 @@ namespace FastPoints.Sources
                 }
                 if (m_reading.MoveNext())
                 {
-                    m_step = m_reading.Current;
+                    Step = m_reading.Current;
                     return null;
                 }
                 EndReading();
@@ -142,7 +141,7 @@ namespace FastPoints.Sources
 
         public void Dispose()
         {
-            m_step.Complete();
+            Step.Complete();
             m_building.Complete();
             EndReading();
             if (m_nodeOfKey.IsCreated)

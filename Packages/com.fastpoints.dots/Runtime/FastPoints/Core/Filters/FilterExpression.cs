@@ -49,19 +49,18 @@ namespace FastPoints
             FilterOp.Equal, FilterOp.NotEqual, FilterOp.LessOrEqual, FilterOp.GreaterOrEqual, FilterOp.Less, FilterOp.Greater,
         };
 
-        readonly string m_text;
         int m_at;
 
         FilterExpression(string text)
         {
-            m_text = text;
+            Text = text;
             Or(0);
             SkipSpace();
             if (m_at < text.Length)
                 throw Bad("&&, || or the end", m_at);
         }
 
-        public string Text => m_text;
+        public string Text { get; }
 
         /// <summary>In order of evaluation; the last leaves one result.</summary>
         public List<FilterStep> Steps { get; } = new List<FilterStep>();
@@ -98,7 +97,7 @@ namespace FastPoints
             if (depth > MaxDepth)
                 throw Bad("at most " + MaxDepth + " parentheses and ! within one another", m_at);
             SkipSpace();
-            if (m_at < m_text.Length && m_text[m_at] == '!')
+            if (m_at < Text.Length && Text[m_at] == '!')
             {
                 m_at++;
                 Term(depth + 1);
@@ -132,26 +131,26 @@ namespace FastPoints
             SkipSpace();
             int from = m_at;
             name = null;
-            if (m_at < m_text.Length && (char.IsLetter(m_text[m_at]) || m_text[m_at] == '_'))
+            if (m_at < Text.Length && (char.IsLetter(Text[m_at]) || Text[m_at] == '_'))
             {
-                while (m_at < m_text.Length && (char.IsLetterOrDigit(m_text[m_at]) || m_text[m_at] == '_'))
+                while (m_at < Text.Length && (char.IsLetterOrDigit(Text[m_at]) || Text[m_at] == '_'))
                     m_at++;
-                name = m_text.Substring(from, m_at - from);
+                name = Text.Substring(from, m_at - from);
                 return new FilterOperand { IsAttribute = true };
             }
-            if (m_at < m_text.Length && m_text[m_at] == '"')
+            if (m_at < Text.Length && Text[m_at] == '"')
             {
-                int end = m_text.IndexOf('"', m_at + 1);
+                int end = Text.IndexOf('"', m_at + 1);
                 if (end < 0)
                     throw Bad("a name that ends in \"", from);
-                name = m_text.Substring(from + 1, end - from - 1);
+                name = Text.Substring(from + 1, end - from - 1);
                 m_at = end + 1;
                 return new FilterOperand { IsAttribute = true };
             }
-            while (m_at < m_text.Length && (char.IsLetterOrDigit(m_text[m_at]) || m_text[m_at] == '.' ||
-                (m_text[m_at] == '-' || m_text[m_at] == '+') && (m_at == from || char.ToLowerInvariant(m_text[m_at - 1]) == 'e')))
+            while (m_at < Text.Length && (char.IsLetterOrDigit(Text[m_at]) || Text[m_at] == '.' ||
+                (Text[m_at] == '-' || Text[m_at] == '+') && (m_at == from || char.ToLowerInvariant(Text[m_at - 1]) == 'e')))
                 m_at++;
-            if (m_at == from || !NumberText.TryRead(m_text.Substring(from, m_at - from), out double number))
+            if (m_at == from || !NumberText.TryRead(Text.Substring(from, m_at - from), out double number))
                 throw Bad("an attribute or a number", from);
             return new FilterOperand { Number = number };
         }
@@ -166,14 +165,14 @@ namespace FastPoints
 
         void SkipSpace()
         {
-            while (m_at < m_text.Length && char.IsWhiteSpace(m_text[m_at]))
+            while (m_at < Text.Length && char.IsWhiteSpace(Text[m_at]))
                 m_at++;
         }
 
         bool Take(string token)
         {
             SkipSpace();
-            if (string.CompareOrdinal(m_text, m_at, token, 0, token.Length) != 0)
+            if (string.CompareOrdinal(Text, m_at, token, 0, token.Length) != 0)
                 return false;
             m_at += token.Length;
             return true;
@@ -181,9 +180,9 @@ namespace FastPoints
 
         FormatException Bad(string wanted, int at)
         {
-            string got = at < m_text.Length ? "'" + m_text[at] + "'" : "the end";
+            string got = at < Text.Length ? "'" + Text[at] + "'" : "the end";
             return new FormatException("wanted " + wanted + " at character " + (at + 1) + ", got " + got + "\n  " +
-                m_text.Replace('\n', ' ').Replace('\r', ' ').Replace('\t', ' ') + "\n  " + new string(' ', at) + "^");
+                Text.Replace('\n', ' ').Replace('\r', ' ').Replace('\t', ' ') + "\n  " + new string(' ', at) + "^");
         }
     }
 }

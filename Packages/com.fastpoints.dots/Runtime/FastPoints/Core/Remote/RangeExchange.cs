@@ -18,7 +18,7 @@ namespace FastPoints
         const int PieceBytes = 64 << 10;
 
         static readonly object s_lock = new object();
-        static HttpClient s_client;
+        internal static HttpClient s_client;
 
         readonly string m_address;
         readonly long m_offset;
@@ -312,16 +312,6 @@ namespace FastPoints
                 {
                     Timeout = Timeout.InfiniteTimeSpan,
                 };
-            }
-        }
-
-        // Closes the connections: for tests.
-        internal static void CloseClient()
-        {
-            lock (s_lock)
-            {
-                s_client?.Dispose();
-                s_client = null;
             }
         }
     }

@@ -122,9 +122,7 @@ namespace FastPoints
         readonly ReadCommand[] m_parts;
         byte* m_owned;
         long m_missing;
-        bool m_isCancelled;
         volatile bool m_isDone;
-        PointCloudException m_failure;
 
         // Into memory of the caller, which lives until the read is done or cancelled.
         internal RemoteRead(IRangeSource file, ReadCommand* parts, int count, int rank)
@@ -153,8 +151,8 @@ namespace FastPoints
         public int Rank { get; set; } // What has the lowest rank is fetched first. It may change while the read waits.
 
         public bool IsDone => m_isDone;
-        public bool IsCancelled => m_isCancelled;
-        public PointCloudException Failure => m_failure; // Once it is done: null if all bytes have come.
+        public bool IsCancelled { get; private set; }
+        public PointCloudException Failure { get; private set; } // Once it is done: null if all bytes have come.
 
         public long Offset => m_parts[0].Offset;
         public long Bytes => m_parts[0].Size;
@@ -170,15 +168,15 @@ namespace FastPoints
             lock (m_lock)
                 while (!m_isDone)
                     Monitor.Wait(m_lock);
-            if (m_failure != null)
-                throw m_failure;
+            if (Failure != null)
+                throw Failure;
         }
 
         public void Cancel()
         {
             lock (m_lock)
             {
-                m_isCancelled |= !m_isDone;
+                IsCancelled |= !m_isDone;
                 End();
             }
         }
@@ -211,7 +209,7 @@ namespace FastPoints
             {
                 if (m_isDone)
                     return;
-                m_failure = failure;
+                Failure = failure;
                 End();
             }
         }

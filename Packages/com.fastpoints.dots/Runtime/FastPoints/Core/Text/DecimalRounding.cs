@@ -83,16 +83,7 @@ namespace FastPoints
                 }
                 digits++;
                 exponent--;
-                ulong carry = digit;
-                for (int i = 0; i < count; i++)
-                {
-                    ulong low = Common.umul128(words[i], 10, out ulong high);
-                    low += carry;
-                    words[i] = low;
-                    carry = high + (low < carry ? 1ul : 0ul);
-                }
-                if (carry != 0)
-                    words[count++] = carry;
+                count = Multiply(words, count, 10, digit);
             }
             return count;
         }
@@ -132,9 +123,8 @@ namespace FastPoints
             return Assemble(leading, exponent2 + 64 * top - shift, sticky, mantissaBits, minExponent);
         }
 
-        static int Multiply(ulong* words, int count, ulong factor)
+        static int Multiply(ulong* words, int count, ulong factor, ulong carry = 0)
         {
-            ulong carry = 0;
             for (int i = 0; i < count; i++)
             {
                 ulong low = Common.umul128(words[i], factor, out ulong high);

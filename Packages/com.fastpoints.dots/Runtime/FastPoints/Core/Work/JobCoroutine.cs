@@ -19,6 +19,19 @@ namespace FastPoints
         /// <summary>Runs all steps of another piece of work, which is disposed when it ends or its parent is.</summary>
         public static JobStep Of(IEnumerator<JobStep> inner) => new JobStep(default, inner);
 
+        // Coroutine: these jobs, whose end is awaited also where the work is cancelled, which then frees what they use.
+        internal static IEnumerator<JobStep> Await(JobHandle jobs)
+        {
+            try
+            {
+                yield return jobs;
+            }
+            finally
+            {
+                jobs.Complete();
+            }
+        }
+
         public static implicit operator JobStep(JobHandle jobs) => new JobStep(jobs, null);
     }
 

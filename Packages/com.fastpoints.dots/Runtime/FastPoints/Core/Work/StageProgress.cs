@@ -18,9 +18,6 @@ namespace FastPoints
 
         readonly List<Stage> m_finished = new List<Stage>();
         readonly Stopwatch m_watch = new Stopwatch();
-        string m_name;
-        long m_points;
-        long m_bytes;
 
         /// <summary>Raised by each <see cref="Report"/>, begin and end: listeners must throttle themselves.</summary>
         public event Action<StageProgress> Changed;
@@ -31,26 +28,26 @@ namespace FastPoints
         public string Group { get; set; }
 
         /// <summary>Name of the running stage, or null.</summary>
-        public string Current => m_name;
+        public string Current { get; private set; }
 
         /// <summary>Share of the running stage that is done, 0 to 1.</summary>
         public double Fraction { get; private set; }
 
         public double Seconds => m_watch.Elapsed.TotalSeconds;
-        public long Points => m_points;
-        public long Bytes => m_bytes;
-        public double PointsPerSecond => Seconds > 0 ? m_points / Seconds : 0;
+        public long Points { get; private set; }
+        public long Bytes { get; private set; }
+        public double PointsPerSecond => Seconds > 0 ? Points / Seconds : 0;
 
         /// <summary>Seconds left at the speed so far, or infinity before anything is done.</summary>
         public double SecondsLeft => Fraction > 0 ? Seconds * (1 - Fraction) / Fraction : double.PositiveInfinity;
 
         public void Begin(string name)
         {
-            if (m_name != null)
+            if (Current != null)
                 End();
-            m_name = Group == null ? name : Group + ": " + name;
-            m_points = 0;
-            m_bytes = 0;
+            Current = Group == null ? name : Group + ": " + name;
+            Points = 0;
+            Bytes = 0;
             Fraction = 0;
             m_watch.Restart();
             Changed?.Invoke(this);
@@ -60,18 +57,18 @@ namespace FastPoints
         public void Report(double share, long points, long bytes)
         {
             Fraction = Math.Max(0, Math.Min(1, share));
-            m_points = points;
-            m_bytes = bytes;
+            Points = points;
+            Bytes = bytes;
             Changed?.Invoke(this);
         }
 
         public void End()
         {
-            if (m_name == null)
+            if (Current == null)
                 return;
             m_watch.Stop();
-            m_finished.Add(new Stage { Name = m_name, Seconds = Seconds, Points = m_points, Bytes = m_bytes });
-            m_name = null;
+            m_finished.Add(new Stage { Name = Current, Seconds = Seconds, Points = Points, Bytes = Bytes });
+            Current = null;
             Fraction = 1;
             Changed?.Invoke(this);
         }

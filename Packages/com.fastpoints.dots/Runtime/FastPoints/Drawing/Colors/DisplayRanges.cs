@@ -240,30 +240,23 @@ namespace FastPoints.Drawing
         {
             if (Robust.IsEmpty)
                 yield break;
-            var farthest = new NativeArray<double4>(FindExtremePointsJob.Directions, Allocator.Persistent);
-            try
-            {
-                yield return JobStep.Of(Slices.Run(0, points.Count, PointsPerSlice,
-                    (first, end, after) => new FindExtremePointsJob
-                    {
-                        Bytes = points.Bytes,
-                        Columns = PositionColumns.Of(points),
-                        Transform = transform,
-                        First = first,
-                        Count = end - first,
-                        Around = Robust,
-                        Farthest = farthest,
-                    }.Schedule(after)));
-                var extremes = new List<double3>();
-                foreach (var position in farthest)
-                    if (position.w > 0)
-                        extremes.Add(position.xyz);
-                ExtremePoints = extremes.ToArray();
-            }
-            finally
-            {
-                farthest.Dispose();
-            }
+            using var farthest = new NativeArray<double4>(FindExtremePointsJob.Directions, Allocator.Persistent);
+            yield return JobStep.Of(Slices.Run(0, points.Count, PointsPerSlice,
+                (first, end, after) => new FindExtremePointsJob
+                {
+                    Bytes = points.Bytes,
+                    Columns = PositionColumns.Of(points),
+                    Transform = transform,
+                    First = first,
+                    Count = end - first,
+                    Around = Robust,
+                    Farthest = farthest,
+                }.Schedule(after)));
+            var extremes = new List<double3>();
+            foreach (var position in farthest)
+                if (position.w > 0)
+                    extremes.Add(position.xyz);
+            ExtremePoints = extremes.ToArray();
         }
 
         JobHandle MeasureColumns(PointBatch points, PositionTransform transform,

@@ -17,7 +17,6 @@ namespace FastPoints.Store
         int m_writes = EditJournal.Writes; // Before they were read.
         EditOperation m_draft; // Likewise.
         PoolTask<Poll> m_polling;
-        CloudFolder m_newest;
         long m_lastPoll = Stopwatch.GetTimestamp();
         int m_misses;
         bool m_isRequested;
@@ -64,13 +63,13 @@ namespace FastPoints.Store
         public bool IsDeleted => m_misses >= MissesUntilDeleted; // The build was aborted, or the folder was deleted.
 
         // No poll is requested or in flight, and no generation waits to be taken.
-        public bool IsIdle => m_polling == null && m_newest == null && !IsRequested;
+        public bool IsIdle => m_polling == null && Newest == null && !IsRequested;
 
         bool IsRequested => m_isRequested || m_writes != EditJournal.Writes || m_draft != EditJournal.DraftAt(m_journal);
 
         public bool IsFollowing => IsBuilding || m_isStale; // Looks again once a second.
 
-        public CloudFolder Newest => m_newest;
+        public CloudFolder Newest { get; private set; }
 
         public EditPlan Edits { get; private set; } // Of the generation that was kept last, as it was opened; null for none.
 
@@ -78,8 +77,8 @@ namespace FastPoints.Store
 
         public CloudFolder Take()
         {
-            var taken = m_newest;
-            m_newest = null;
+            var taken = Newest;
+            Newest = null;
             return taken;
         }
 
@@ -102,7 +101,7 @@ namespace FastPoints.Store
                 if (seen.Newer != null)
                     Keep(seen.Newer, seen.Edits);
             }
-            if (m_polling != null || m_newest != null || !IsRequested && !(IsFollowing && IsPollDue))
+            if (m_polling != null || Newest != null || !IsRequested && !(IsFollowing && IsPollDue))
                 return;
             m_lastPoll = Stopwatch.GetTimestamp();
             m_isRequested = m_isStale = false;
@@ -128,8 +127,8 @@ namespace FastPoints.Store
         {
             m_polling?.TakeOrDefault().Newer?.Dispose();
             m_polling = null;
-            m_newest?.Dispose();
-            m_newest = null;
+            Newest?.Dispose();
+            Newest = null;
             IsBuilding = m_isStale = false;
         }
 
@@ -174,7 +173,7 @@ namespace FastPoints.Store
         void Keep(CloudFolder folder, Edited edits)
         {
             (Edits, m_knownEdits, Refused) = (edits.Plan, edits.Hash, edits.Refused);
-            m_newest = folder;
+            Newest = folder;
             IsFound = true;
             m_known = folder.Manifest;
             Generation = folder.Manifest.Generation;

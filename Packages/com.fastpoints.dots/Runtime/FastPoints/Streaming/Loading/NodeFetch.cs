@@ -42,7 +42,8 @@ namespace FastPoints.Streaming
         public int FirstWaiting { get; set; }
         public bool IsBeingCopied { get; set; }
 
-        public FetchRead ReadToReport => m_main.HasFailed ? m_main : m_computed; // The one that failed, if one did.
+        // The one that failed, if one did.
+        public FetchRead ReadToReport => m_main.Status != ReadStatus.Complete ? m_main : m_computed;
 
         public NativeArray<FetchedNode> Nodes => m_nodes.AsArray();
 
@@ -351,7 +352,6 @@ namespace FastPoints.Streaming
         ReadHandle m_read;
         RemoteRead m_remote;
         bool m_isReading;
-        ReadStatus m_status;
 
         public FetchRead(StreamState state) => m_state = state;
 
@@ -359,14 +359,12 @@ namespace FastPoints.Streaming
 
         public PointCloudException RemoteFailure { get; private set; }
 
-        public bool HasFailed => m_status != ReadStatus.Complete;
-
-        public ReadStatus Status => m_status;
+        public ReadStatus Status { get; private set; }
 
         public void Clear()
         {
             m_commands.Clear();
-            (Path, RemoteFailure, m_status) = (null, null, ReadStatus.Complete);
+            (Path, RemoteFailure, Status) = (null, null, ReadStatus.Complete);
         }
 
         // Of pieces in the order of their offsets. Those that are no farther apart than the gap are read as one. Returns the
@@ -428,14 +426,14 @@ namespace FastPoints.Streaming
             if (m_remote != null)
             {
                 RemoteFailure = m_remote.Failure;
-                m_status = m_remote.IsCancelled ? ReadStatus.Canceled : RemoteFailure != null ? ReadStatus.Failed
+                Status = m_remote.IsCancelled ? ReadStatus.Canceled : RemoteFailure != null ? ReadStatus.Failed
                     : ReadStatus.Complete;
                 m_remote = null;
             }
             else
             {
                 m_read.JobHandle.Complete();
-                m_status = m_read.Status;
+                Status = m_read.Status;
                 m_read.Dispose();
                 m_read = default;
             }

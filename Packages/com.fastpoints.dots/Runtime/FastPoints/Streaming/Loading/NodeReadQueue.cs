@@ -18,13 +18,12 @@ namespace FastPoints.Streaming
         const int MaxDoublings = 6; // Half a minute.
 
         readonly StreamState m_state;
-        readonly List<NodeFetch> m_fetches = new List<NodeFetch>();
         NativeList<SelectedNode> m_wanted = new NativeList<SelectedNode>(1024, Allocator.Persistent);
         long m_count;
 
         public NodeReadQueue(StreamState state) => m_state = state;
 
-        public List<NodeFetch> Fetches => m_fetches;
+        public List<NodeFetch> Fetches { get; } = new List<NodeFetch>();
 
         public bool LacksRoom { get; private set; } // Whether the pool had none for what the last frame chose.
 
@@ -33,7 +32,7 @@ namespace FastPoints.Streaming
             get
             {
                 int count = 0;
-                foreach (var fetch in m_fetches)
+                foreach (var fetch in Fetches)
                     count += fetch.Phase != FetchPhase.Idle ? 1 : 0;
                 return count;
             }
@@ -41,7 +40,7 @@ namespace FastPoints.Streaming
 
         public bool IsUsing(StreamedCloud cloud)
         {
-            foreach (var fetch in m_fetches)
+            foreach (var fetch in Fetches)
                 if (fetch.Phase != FetchPhase.Idle && fetch.Cloud == cloud)
                     return true;
             return false;
@@ -49,7 +48,7 @@ namespace FastPoints.Streaming
 
         public void Receive(ref FrameStats stats)
         {
-            foreach (var fetch in m_fetches)
+            foreach (var fetch in Fetches)
             {
                 if (fetch.Phase == FetchPhase.Reading)
                 {
@@ -81,10 +80,10 @@ namespace FastPoints.Streaming
         public void Request(ref FrameStats stats)
         {
             // All are made at once in the first frame, so that later ones make no garbage.
-            while (m_fetches.Count < m_state.Settings.MaxReads)
-                m_fetches.Add(new NodeFetch(m_state));
+            while (Fetches.Count < m_state.Settings.MaxReads)
+                Fetches.Add(new NodeFetch(m_state));
             int tables = 0;
-            foreach (var fetch in m_fetches)
+            foreach (var fetch in Fetches)
                 tables += fetch.Phase != FetchPhase.Idle && fetch.IsTable ? 1 : 0;
             RequestTables(m_state.Selector.Missing, NodeFetch.TableRank, ref tables);
             ListWanted(m_state.Selector.Selected);
@@ -131,23 +130,23 @@ namespace FastPoints.Streaming
         // Cancels reads of one cloud, or all if it is null.
         public void Cancel(StreamedCloud cloud)
         {
-            foreach (var fetch in m_fetches)
+            foreach (var fetch in Fetches)
                 if (fetch.Phase != FetchPhase.Idle && (cloud == null || fetch.Cloud == cloud))
                     fetch.Cancel();
         }
 
         public void Await()
         {
-            foreach (var fetch in m_fetches)
+            foreach (var fetch in Fetches)
                 if (fetch.Phase != FetchPhase.Idle)
                     fetch.Abandon();
         }
 
         public void Dispose()
         {
-            foreach (var fetch in m_fetches)
+            foreach (var fetch in Fetches)
                 fetch.Dispose();
-            m_fetches.Clear();
+            Fetches.Clear();
             if (m_wanted.IsCreated)
                 m_wanted.Dispose();
         }
@@ -242,11 +241,11 @@ namespace FastPoints.Streaming
 
         bool TryFindIdle(out NodeFetch idle)
         {
-            foreach (var fetch in m_fetches)
+            foreach (var fetch in Fetches)
             {
                 idle = fetch;
                 if (fetch.Phase == FetchPhase.Idle)
-                    return m_fetches.Count <= m_state.Settings.MaxReads || InFlightCount < m_state.Settings.MaxReads;
+                    return Fetches.Count <= m_state.Settings.MaxReads || InFlightCount < m_state.Settings.MaxReads;
             }
             idle = null;
             return false;

@@ -101,19 +101,17 @@ namespace FastPoints.Tests.Reading
             for (int i = 0; i < 2; i++)
                 paths.Add(WriteLas(i + ".las", positions[i], new double3(transforms[i].Item1, 0.01, 0.01),
                     new double3(transforms[i].Item2, 0, 0)));
-            using (var reader = PointReaders.Open(paths))
+            using var reader = PointReaders.Open(paths);
+            Assert.That(reader.Info.Warnings, Is.Empty);
+            var x = ReadPoints.Column<long>(reader, "X");
+            decimal step = Decimal(reader.Info.Transform.Scale.x), origin = Decimal(reader.Info.Transform.Offset.x);
+            for (int i = 0; i < x.Length; i++)
             {
-                Assert.That(reader.Info.Warnings, Is.Empty);
-                var x = ReadPoints.Column<long>(reader, "X");
-                decimal step = Decimal(reader.Info.Transform.Scale.x), origin = Decimal(reader.Info.Transform.Offset.x);
-                for (int i = 0; i < x.Length; i++)
-                {
-                    var (scale, offset) = transforms[i / 1000];
-                    Assert.That(x[i] * step + origin,
-                        Is.EqualTo(positions[i / 1000][i % 1000].x * Decimal(scale) + Decimal(offset)));
-                }
-                Assert.That(ReadPoints.Column<int>(reader, "Y")[1000], Is.EqualTo(int.MaxValue));
+                var (scale, offset) = transforms[i / 1000];
+                Assert.That(x[i] * step + origin,
+                    Is.EqualTo(positions[i / 1000][i % 1000].x * Decimal(scale) + Decimal(offset)));
             }
+            Assert.That(ReadPoints.Column<int>(reader, "Y")[1000], Is.EqualTo(int.MaxValue));
         }
 
         static decimal Decimal(double value) =>
@@ -261,21 +259,19 @@ namespace FastPoints.Tests.Reading
                 File.WriteAllBytes(PathOf(i + ".ply"), bytes.ToArray());
                 paths.Add(PathOf(i + ".ply"));
             }
-            using (var reader = (TiledReader)PointReaders.Open(paths))
+            using var reader = (TiledReader)PointReaders.Open(paths);
+            Assert.That(reader.BlocksAreKnown, Is.False);
+            ReadPoints.IndexBlocks(reader);
+            Assert.That(ReadPoints.Column<float>(reader, "X"), Is.EqualTo(expected));
+            using var read = reader.CreateRead(reader.Info.Schema.Select("X", "Z"), 2, Allocator.Persistent);
+            for (int i = 0; i < reader.BlockCount; i++)
             {
-                Assert.That(reader.BlocksAreKnown, Is.False);
-                ReadPoints.IndexBlocks(reader);
-                Assert.That(ReadPoints.Column<float>(reader, "X"), Is.EqualTo(expected));
-                using var read = reader.CreateRead(reader.Info.Schema.Select("X", "Z"), 2, Allocator.Persistent);
-                for (int i = 0; i < reader.BlockCount; i++)
-                {
-                    int block = i * 37 % reader.BlockCount, last = reader.PointsInBlock(block) - 1;
-                    read.Begin(new BlockRange(block, last, 1));
-                    read.Complete();
-                    Assert.That(read.Points.Column<float>("X")[0], Is.EqualTo(expected[(int)read.FirstPoint]));
-                    Assert.That(read.FirstPoint, Is.EqualTo(reader.FirstPointOfBlock(block) + last));
-                    Assert.That(reader.OpenCount, Is.LessThanOrEqualTo(TiledReader.MaxOpen));
-                }
+                int block = i * 37 % reader.BlockCount, last = reader.PointsInBlock(block) - 1;
+                read.Begin(new BlockRange(block, last, 1));
+                read.Complete();
+                Assert.That(read.Points.Column<float>("X")[0], Is.EqualTo(expected[(int)read.FirstPoint]));
+                Assert.That(read.FirstPoint, Is.EqualTo(reader.FirstPointOfBlock(block) + last));
+                Assert.That(reader.OpenCount, Is.LessThanOrEqualTo(TiledReader.MaxOpen));
             }
         }
 

@@ -90,20 +90,18 @@ namespace FastPoints.Tests.Sources
                         foreach (ulong bits in PotreeTwins.Bits(node, names[i]))
                             sums[i] += bits;
                 }
-            using (var reader = ReadPoints.Open(folder))
+            using var reader = ReadPoints.Open(folder);
+            Assert.That(points, Is.EqualTo(341989));
+            Assert.That(reader.PointCount, Is.EqualTo(points));
+            Assert.That(reader.Tree.NodeCount, Is.EqualTo(200));
+            for (int i = 0; i < names.Length; i++)
             {
-                Assert.That(points, Is.EqualTo(341989));
-                Assert.That(reader.PointCount, Is.EqualTo(points));
-                Assert.That(reader.Tree.NodeCount, Is.EqualTo(200));
-                for (int i = 0; i < names.Length; i++)
-                {
-                    ulong sum = 0;
-                    foreach (ulong bits in PotreeTwins.Bits(reader, names[i]))
-                        sum += bits;
-                    Assert.That(sum, Is.EqualTo(sums[i]), names[i]);
-                }
-                Assert.That(reader.Info.Warnings, Is.Empty);
+                ulong sum = 0;
+                foreach (ulong bits in PotreeTwins.Bits(reader, names[i]))
+                    sum += bits;
+                Assert.That(sum, Is.EqualTo(sums[i]), names[i]);
             }
+            Assert.That(reader.Info.Warnings, Is.Empty);
         }
 
         [Test]

@@ -116,17 +116,15 @@ namespace FastPoints.Tests.Text
             for (int n = 0; n < Points; n++)
                 text.Append(' ', random.Next(3)).Append(n).Append(" 0.25 ").Append(-n).Append(".5").Append(' ', random.Next(4))
                     .Append(lineEnd);
-            using (var file = Xyz(Points - 5, text.ToString()))
-            {
-                var contents = FileContents.OfPly(file.Path);
-                Assert.That(contents.Blocks, Is.GreaterThanOrEqualTo(3));
-                Assert.That(contents.Points, Is.EqualTo(Points - 5));
-                Assert.That(contents.Info.Warnings, Is.Empty);
-                var x = contents.Column<float>("X");
-                for (int n = 0; n < x.Length; n++)
-                    if (x[n] != n)
-                        Assert.Fail("line " + n + ": " + x[n]);
-            }
+            using var file = Xyz(Points - 5, text.ToString());
+            var contents = FileContents.OfPly(file.Path);
+            Assert.That(contents.Blocks, Is.GreaterThanOrEqualTo(3));
+            Assert.That(contents.Points, Is.EqualTo(Points - 5));
+            Assert.That(contents.Info.Warnings, Is.Empty);
+            var x = contents.Column<float>("X");
+            for (int n = 0; n < x.Length; n++)
+                if (x[n] != n)
+                    Assert.Fail("line " + n + ": " + x[n]);
         }
 
         [Test]

@@ -5,7 +5,6 @@ using System.IO;
 using FastPoints.Reading;
 using FastPoints.Sources;
 using FastPoints.Tests.Reading;
-using FastPoints.Text;
 using NUnit.Framework;
 using Unity.Collections;
 
