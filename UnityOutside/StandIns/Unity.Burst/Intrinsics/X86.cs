@@ -116,7 +116,8 @@ namespace Unity.Burst.Intrinsics
             public static v256 mm256_sllv_epi32(v256 a, v256 count) =>
                 new v256(Net.ShiftLeftLogicalVariable(a.Bits, count.Bits));
             [MethodImpl(Inline)]
-            public static v256 mm256_srlv_epi32(v256 a, v256 count) => new v256(Net.ShiftRightLogicalVariable(a.Bits, count.Bits));
+            public static v256 mm256_srlv_epi32(v256 a, v256 count) =>
+                new v256(Net.ShiftRightLogicalVariable(a.Bits, count.Bits));
             [MethodImpl(Inline)]
             public static v256 mm256_srli_epi16(v256 a, [ConstantExpected] int imm8) =>
                 new v256(Net.ShiftRightLogical(a.Bits.AsUInt16(), (byte)imm8).AsUInt32());
