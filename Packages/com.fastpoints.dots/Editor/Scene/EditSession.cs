@@ -70,9 +70,7 @@ namespace FastPoints.Editor
             if (!m_isEnding || m_hasNext || m_picker.IsSearching)
                 return isNew;
             var shown = m_stroke.Count > 0 ? FindShown() : null;
-            if (shown != null && IdOf(shown) != m_cloudId)
-                Note = "the cloud was converted anew meanwhile";
-            else if (m_stroke.Count > 0 && CanEdit(shown) && Begin(shown, AddStroke(shown, NewOperation())))
+            if (m_stroke.Count > 0 && CanEdit(shown) && Begin(shown, AddStroke(shown, NewOperation(m_cloudId))))
                 m_draft = null; // It is shown until it is written.
             ClearStroke();
             return true;
@@ -93,7 +91,7 @@ namespace FastPoints.Editor
                 var geo = GeoOf(shown, new double3(world.x, world.y, world.z));
                 (min, max) = (math.min(min, geo), math.max(max, geo));
             }
-            var operation = NewOperation();
+            var operation = NewOperation(IdOf(shown));
             operation.Boxes.Add(EditShape.Box(shown.Source.Grid, min, max));
             Begin(shown, operation);
         }
@@ -107,7 +105,7 @@ namespace FastPoints.Editor
             var from = GeoOf(shown, Lasso[0].OriginWorld);
             // Rays of an eye widen.
             var eye = Lasso[0].RadiusPerUnit > 0 ? new double4(from, 1) : new double4(from - corners[0], 0);
-            var operation = NewOperation();
+            var operation = NewOperation(IdOf(shown));
             Note = operation.SetLasso(shown.Source.Grid, eye, corners);
             if (Note == null)
                 Begin(shown, operation);
@@ -159,13 +157,14 @@ namespace FastPoints.Editor
             return number < 0 ? null : group.Stream.Clouds[number];
         }
 
+        // None of a preview.
         static ulong IdOf(StreamedCloud shown) => (shown?.Source as FolderSource)?.Folder.Manifest.CloudId ?? 0;
 
         // One state after the other: each is shown before the next begins.
         void ShowStroke()
         {
             var shown = FindShown();
-            if (!IsEditable(shown) || IdOf(shown) != m_cloudId)
+            if (!IsEditable(shown))
                 return;
             var source = (FolderSource)shown.Source;
             bool isThere = EditJournal.DraftAt(m_journal) == m_draft;
@@ -178,7 +177,7 @@ namespace FastPoints.Editor
             }
             if (now < m_nextDraft || isThere && m_draft != null && source.Edits?.Last != m_draft)
                 return;
-            var draft = AddStroke(shown, NewOperation());
+            var draft = AddStroke(shown, NewOperation(m_cloudId));
             if (Action < EditAction.Classify || Action == EditAction.Classify && IsHidden(Class))
                 (draft.Action, draft.Value) = (EditAction.Color, s_mark);
             (m_draftLength, m_nextDraft) = (m_stroke.Count, now + DraftSeconds);
@@ -230,8 +229,9 @@ namespace FastPoints.Editor
         static bool IsEditable(StreamedCloud shown) => shown?.Source is FolderSource stored && !stored.Folder.IsUnfinished &&
             !SourcePath.IsRemote(stored.Folder.FolderPath);
 
-        EditOperation NewOperation() => new EditOperation
+        EditOperation NewOperation(ulong cloudId) => new EditOperation
         {
+            CloudId = cloudId,
             Action = Action,
             Value = Action == EditAction.Classify ? new[] { Class }
                 : Action == EditAction.Color ? new[] { ByteOf(Color.r), ByteOf(Color.g), ByteOf(Color.b) }

@@ -15,7 +15,7 @@ namespace FastPoints.Surface
         public const int RowsPerSlice = 20; // A slice of level ground, which lies in few layers, takes about a millisecond.
         internal const float HalfThickness = 0.1f; // From the plane to either face, in voxels.
         internal const float MaxFromSurfel = 0.9f; // A vertex is at most so far from the nearest surfel, in voxels.
-        const int MaxNear = 5 * 5 * 5; // Surfels within VertexReach.
+        const int NearSide = 2 * SurfaceGrid.VertexReach + 1, MaxNear = NearSide * NearSide * NearSide;
         const float Radius = 2; // Surfels farther away do not move a vertex.
         public int First; // Rows of cubes, layer by layer, from those before the cell.
         public int End;

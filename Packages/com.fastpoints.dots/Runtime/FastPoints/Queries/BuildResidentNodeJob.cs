@@ -29,7 +29,7 @@ namespace FastPoints.Queries
             for (int block = 0; block < Positions.BlockCount; block++)
             {
                 for (int axis = 0; axis < 3; axis++)
-                    Positions.UnpackWide(block, axis, values + axis * PlaneShape.MaxPointsPerBlock);
+                    Positions.UnpackWide(block, axis, 0, Positions.PointsOf(block), values + axis * PlaneShape.MaxPointsPerBlock);
                 var runsOfBlock = runs + block * PointRun.PerBlock;
                 FindRuns(block, values, runsOfBlock);
                 for (int run = 0; run < PointRun.PerBlock; run++)
@@ -61,7 +61,7 @@ namespace FastPoints.Queries
                     ulong* value = values + axis * PlaneShape.MaxPointsPerBlock + i;
                     jump = math.max(jump, math.abs((double)(long)(value[0] - value[-1])) * Step[axis]);
                 }
-                jump *= i % EqualRun == 0 ? Preference : 1;
+                jump = i % EqualRun == 0 ? jump * Preference + double.Epsilon : jump;
                 int shortest = count == MaxEnds ? 0 : count;
                 for (int end = 1; end < count && count == MaxEnds; end++)
                     shortest = jumps[end] < jumps[shortest] ? end : shortest;

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using FastPoints.Streaming;
 using Unity.Collections;
-using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 
 namespace FastPoints.Queries

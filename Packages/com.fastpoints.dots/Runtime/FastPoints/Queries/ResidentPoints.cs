@@ -1,4 +1,3 @@
-using System;
 using FastPoints.Drawing;
 using FastPoints.Store;
 using FastPoints.Streaming;

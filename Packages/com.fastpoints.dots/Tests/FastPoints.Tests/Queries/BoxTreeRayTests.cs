@@ -129,20 +129,12 @@ namespace FastPoints.Tests.Queries
         public void Build_PointsOfALine_RunsEndAtJumpsAndAreEqualWithout(int points, int jump, int longest)
         {
             uint* plane = stackalloc uint[1024];
-            ulong* values = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock], bounds = stackalloc ulong[6];
-            for (int i = 0; i < points; i++)
-            {
-                BlockWriter.WideOf(values, 0)[i] = (ulong)(i < jump ? 10 * i : 10 * i + 999);
-                BlockWriter.WideOf(values, 1)[i] = BlockWriter.WideOf(values, 2)[i] = 5;
-            }
-            var shape = new PlaneShape(3, 7);
-            var writer = new BlockWriter(plane, shape, 0, shape.DescriptorWords);
-            writer.Write(values, points, bounds, bounds + 3);
-            writer.End();
+            ulong XOf(int i) => (ulong)(i < jump ? 10 * i : 10 * i + 999);
+            var view = WriteLine(plane, points, XOf);
             var eights = stackalloc EightBoxes[BoxTree.EightsOf(PointRun.PerBlock)];
             var runs = stackalloc PointRun[PointRun.PerBlock];
             using var isDamaged = new NativeArray<bool>(1, Allocator.Persistent);
-            var job = new BuildResidentNodeJob { IsDamaged = isDamaged, Positions = new PlaneView(plane, shape, 1), Runs = runs };
+            var job = new BuildResidentNodeJob { IsDamaged = isDamaged, Positions = view, Runs = runs };
             job.Tree = new BoxTree { Eights = eights, LeafCount = PointRun.PerBlock };
             job.Step = 1;
             job.Execute();
@@ -156,11 +148,45 @@ namespace FastPoints.Tests.Queries
                 for (int i = runs[run].First; i < runs[run].First + runs[run].Count; i++)
                 {
                     Assert.That(isFound[i], Is.False);
-                    isFound[i] = math.abs(BlockWriter.WideOf(values, 0)[i] - middle.x) <= half.x;
+                    isFound[i] = math.abs(XOf(i) - middle.x) <= half.x;
                 }
             }
             Assert.That(isFound, Is.All.True);
             Assert.That(isEnd, Is.True);
+        }
+
+        [Test]
+        public void Search_PositionsOfMoreThan32Bits_FindsThoseOfAnyRun()
+        {
+            const int Points = 20;
+            uint* plane = stackalloc uint[1024];
+            ulong* scratch = stackalloc ulong[NodeSearch.ScratchCount];
+            PickHit* hits = stackalloc PickHit[Points];
+            var search = new NodeSearch { Positions = WriteLine(plane, Points, i => (ulong)i << 40), Step = 1 };
+            search.Space = new QuerySpace(PointQuery.Sphere(0, 1e20), new CloudPlacement(double3x3.identity, 0));
+            for (int first = 0; first < Points; first++)
+                for (int count = 1; first + count <= Points; count++)
+                {
+                    var heap = new HitHeap(hits, Points, false, PickHit.None);
+                    search.Search(0, first, count, scratch, ref heap);
+                    heap.Sort();
+                    Assert.That(heap.Totals.Count, Is.EqualTo(count));
+                    for (int i = 0; i < count; i++)
+                        Assert.That((heap[i].Index, heap[i].Position.X), Is.EqualTo((first + i, (long)(first + i) << 40)));
+                }
+        }
+
+        static PlaneView WriteLine(uint* plane, int points, System.Func<int, ulong> xOf)
+        {
+            ulong* values = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock], bounds = stackalloc ulong[6];
+            for (int i = 0; i < points; i++)
+                (BlockWriter.WideOf(values, 0)[i], BlockWriter.WideOf(values, 1)[i], BlockWriter.WideOf(values, 2)[i]) =
+                    (xOf(i), 5, 5);
+            var shape = PlaneShape.OfPositions(true);
+            var writer = new BlockWriter(plane, shape, 0, shape.DescriptorWords);
+            writer.Write(values, points, bounds, bounds + 3);
+            writer.End();
+            return new PlaneView(plane, shape, 1);
         }
     }
 }

@@ -55,7 +55,7 @@ namespace FastPoints.Tests.Store
             ulong* values = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock], bounds = stackalloc ulong[6];
             for (int width = 0; width < 32; width++)
             {
-                // The second block ends with the plane.
+                // The last block is never read eight at a time.
                 var writer = new BlockWriter(plane, shape, 0, 2 * shape.DescriptorWords);
                 for (int block = 0; block < 2; block++)
                 {

@@ -38,6 +38,7 @@ namespace FastPoints.Store
         public readonly List<FilterExpression> Conditions = new List<FilterExpression>();
 
         public long PointsChanged;
+        public ulong? CloudId; // Of the conversion that positions are of, where somebody knows. Not in the text.
 
         public string Name => s_actions[(int)Action];
 

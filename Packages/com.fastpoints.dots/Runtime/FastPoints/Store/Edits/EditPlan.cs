@@ -88,7 +88,8 @@ namespace FastPoints.Store
             refused = null;
             try
             {
-                return folder.IsUnfinished ? null : Of(folder.FolderPath, folder.Manifest, draft);
+                bool hasDraft = draft != null && FindProblem(draft, folder.Manifest) == null;
+                return folder.IsUnfinished ? null : Of(folder.FolderPath, folder.Manifest, hasDraft ? draft : null);
             }
             catch (PointCloudException e)
             {
@@ -118,6 +119,8 @@ namespace FastPoints.Store
         // What keeps an operation from being applied to a cloud, or null.
         public static string FindProblem(EditOperation operation, CloudManifest manifest)
         {
+            if (operation.CloudId is ulong id && id != manifest.CloudId)
+                return "the edit is of another conversion of this cloud";
             foreach (string name in NamesOf(operation))
                 if (AttributeNames.AxisOf(name) < 0 && !manifest.Attributes.Has(name))
                     return "the cloud has no " + name;
