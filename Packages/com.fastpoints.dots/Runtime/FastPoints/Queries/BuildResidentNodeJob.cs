@@ -7,41 +7,39 @@ using Unity.Mathematics;
 
 namespace FastPoints.Queries
 {
-    // The runs of a node's points, and the tree over them. What descriptors say of blocks is up to twice as large on each axis:
-    // a ray would meet some five times the points.
+    // The runs of each block's points, with their boxes. What descriptors say of blocks is up to twice as large on each axis: a
+    // ray would meet some five times the points.
     [BurstCompile]
-    internal unsafe struct BuildResidentNodeJob : IJob
+    internal unsafe struct FindRunsJob : IJobFor
     {
+        public const int BlocksPerSlice = 64;
+
         [ReadOnly] public NativeArray<bool> IsDamaged; // By plane.
         public PlaneView Positions;
         public BoxTree Tree;
         [NativeDisableUnsafePtrRestriction] public PointRun* Runs;
         public double3 Step;
 
-        public void Execute()
+        public void Execute(int block)
         {
-            for (int plane = 0; plane < IsDamaged.Length; plane++)
-                if (IsDamaged[plane])
-                    return;
-            var runs = (PointRun*)UnsafeUtility.Malloc(Tree.LeafCount * (long)sizeof(PointRun), 8, Allocator.Temp);
-            uint* order = (uint*)UnsafeUtility.Malloc(Tree.LeafCount * (long)sizeof(uint), 8, Allocator.Temp);
+            if (IsAny(IsDamaged))
+                return;
             ulong* values = stackalloc ulong[NodeSearch.ScratchCount];
-            for (int block = 0; block < Positions.BlockCount; block++)
-            {
+            for (int axis = 0; axis < 3; axis++)
+                Positions.UnpackWide(block, axis, 0, Positions.PointsOf(block), values + axis * PlaneShape.MaxPointsPerBlock);
+            var runs = Runs + block * PointRun.PerBlock;
+            FindRuns(block, values, runs);
+            for (int run = 0; run < PointRun.PerBlock; run++)
                 for (int axis = 0; axis < 3; axis++)
-                    Positions.UnpackWide(block, axis, 0, Positions.PointsOf(block), values + axis * PlaneShape.MaxPointsPerBlock);
-                var runsOfBlock = runs + block * PointRun.PerBlock;
-                FindRuns(block, values, runsOfBlock);
-                for (int run = 0; run < PointRun.PerBlock; run++)
-                    for (int axis = 0; axis < 3; axis++)
-                        SetAxis(ref Tree.Eights[block], run, axis, values, runsOfBlock[run]);
-            }
-            Tree.Order(order);
-            for (int i = 0; i < Tree.LeafCount; i++)
-                Runs[i] = runs[order[i]];
-            Tree.Build();
-            UnsafeUtility.Free(order, Allocator.Temp);
-            UnsafeUtility.Free(runs, Allocator.Temp);
+                    SetAxis(ref Tree.Eights[block], run, axis, values, runs[run]);
+        }
+
+        public static bool IsAny(NativeArray<bool> flags)
+        {
+            bool isAny = false;
+            for (int i = 0; i < flags.Length; i++)
+                isAny |= flags[i];
+            return isAny;
         }
 
         // Along the Morton curve neighbours lie close together but for jumps: runs end at the longest, of equal ones at those
@@ -50,7 +48,7 @@ namespace FastPoints.Queries
         {
             const int MaxEnds = PointRun.PerBlock - 1, EqualRun = PlaneShape.MaxPointsPerBlock / PointRun.PerBlock;
             const double Preference = 1.01;
-            int points = Positions.PointsOf(block), count = 0, first = 0;
+            int points = Positions.PointsOf(block), count = 0, first = 0, shortest = 0;
             double* jumps = stackalloc double[MaxEnds];
             int* ends = stackalloc int[MaxEnds];
             for (int i = 1; i < points; i++)
@@ -62,16 +60,19 @@ namespace FastPoints.Queries
                     jump = math.max(jump, math.abs((double)(long)(value[0] - value[-1])) * Step[axis]);
                 }
                 jump = i % EqualRun == 0 ? jump * Preference + double.Epsilon : jump;
-                int shortest = count == MaxEnds ? 0 : count;
-                for (int end = 1; end < count && count == MaxEnds; end++)
-                    shortest = jumps[end] < jumps[shortest] ? end : shortest;
-                if (count == MaxEnds && jump <= jumps[shortest])
-                    continue;
-                count = math.min(count, MaxEnds - 1);
-                for (int end = shortest; end < count; end++)
-                    (jumps[end], ends[end]) = (jumps[end + 1], ends[end + 1]);
+                if (count == MaxEnds)
+                {
+                    if (jump <= jumps[shortest])
+                        continue;
+                    count--;
+                    for (int end = shortest; end < count; end++)
+                        (jumps[end], ends[end]) = (jumps[end + 1], ends[end + 1]);
+                }
                 (jumps[count], ends[count]) = (jump, i);
                 count++;
+                shortest = 0;
+                for (int end = 1; end < count; end++)
+                    shortest = jumps[end] < jumps[shortest] ? end : shortest;
             }
             for (int run = 0; run < PointRun.PerBlock; run++)
             {
@@ -93,6 +94,33 @@ namespace FastPoints.Queries
                 max = math.max(max, values[i]);
             }
             boxes.Set(box, axis, min * Step[axis], max * Step[axis]);
+        }
+    }
+
+    // The tree over a node's runs, which come into its order.
+    [BurstCompile]
+    internal unsafe struct BuildResidentNodeJob : IJob
+    {
+        const int MaxOrdered = 1 << 14; // Beyond, some 260,000 points, it would take more than a slice: they stay as they are.
+
+        [ReadOnly] public NativeArray<bool> IsDamaged; // By plane.
+        public BoxTree Tree;
+        [NativeDisableUnsafePtrRestriction] public PointRun* Runs;
+
+        public void Execute()
+        {
+            if (FindRunsJob.IsAny(IsDamaged))
+                return;
+            if (Tree.LeafCount <= MaxOrdered)
+            {
+                var from = new NativeArray<PointRun>(Tree.LeafCount, Allocator.Temp, NativeArrayOptions.UninitializedMemory);
+                var order = new NativeArray<uint>(Tree.LeafCount, Allocator.Temp, NativeArrayOptions.UninitializedMemory);
+                UnsafeUtility.MemCpy(from.GetUnsafePtr(), Runs, from.Length * (long)sizeof(PointRun));
+                Tree.Order((uint*)order.GetUnsafePtr());
+                for (int i = 0; i < order.Length; i++)
+                    Runs[i] = from[(int)order[i]];
+            }
+            Tree.Build();
         }
     }
 

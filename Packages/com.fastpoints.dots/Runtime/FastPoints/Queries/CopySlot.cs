@@ -207,14 +207,15 @@ namespace FastPoints.Queries
             var isDamaged = m_isDamaged.AsArray();
             m_job = new UploadPlanesJob { Parts = m_parts.AsArray(), IsDamaged = isDamaged }
                 .ScheduleParallel(m_parts.Length, 1, default);
-            m_job = new BuildResidentNodeJob
+            m_job = new FindRunsJob
             {
                 IsDamaged = isDamaged,
                 Positions = m_node.PlaneOf(m_cloud, StoreLayout.PositionPlane),
                 Tree = m_node.Tree,
                 Runs = m_node.Runs,
                 Step = m_cloud.Source.Grid.Step,
-            }.Schedule(m_job);
+            }.ScheduleParallel(m_node.BlockCount, FindRunsJob.BlocksPerSlice, m_job);
+            m_job = new BuildResidentNodeJob { IsDamaged = isDamaged, Tree = m_node.Tree, Runs = m_node.Runs }.Schedule(m_job);
             m_phase = Phase.Building;
         }
     }

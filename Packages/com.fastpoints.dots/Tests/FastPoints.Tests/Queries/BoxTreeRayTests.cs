@@ -134,10 +134,9 @@ namespace FastPoints.Tests.Queries
             var eights = stackalloc EightBoxes[BoxTree.EightsOf(PointRun.PerBlock)];
             var runs = stackalloc PointRun[PointRun.PerBlock];
             using var isDamaged = new NativeArray<bool>(1, Allocator.Persistent);
-            var job = new BuildResidentNodeJob { IsDamaged = isDamaged, Positions = view, Runs = runs };
-            job.Tree = new BoxTree { Eights = eights, LeafCount = PointRun.PerBlock };
-            job.Step = 1;
-            job.Execute();
+            var tree = new BoxTree { Eights = eights, LeafCount = PointRun.PerBlock };
+            new FindRunsJob { IsDamaged = isDamaged, Positions = view, Tree = tree, Runs = runs, Step = 1 }.Execute(0);
+            new BuildResidentNodeJob { IsDamaged = isDamaged, Tree = tree, Runs = runs }.Execute();
             var isFound = new bool[points];
             bool isEnd = jump == 0;
             for (int run = 0; run < PointRun.PerBlock; run++)
