@@ -110,15 +110,6 @@ namespace Unity.Burst.Intrinsics
                 new v256(Net.Min(a.Bits.AsUInt16(), b.Bits.AsUInt16()).AsUInt32());
             [MethodImpl(Inline)] public static v256 mm256_or_si256(v256 a, v256 b) => new v256(Net.Or(a.Bits, b.Bits));
             [MethodImpl(Inline)]
-            public static v256 mm256_permutevar8x32_epi32(v256 a, v256 idx) =>
-                new v256(Net.PermuteVar8x32(a.Bits, idx.Bits));
-            [MethodImpl(Inline)]
-            public static v256 mm256_sllv_epi32(v256 a, v256 count) =>
-                new v256(Net.ShiftLeftLogicalVariable(a.Bits, count.Bits));
-            [MethodImpl(Inline)]
-            public static v256 mm256_srlv_epi32(v256 a, v256 count) =>
-                new v256(Net.ShiftRightLogicalVariable(a.Bits, count.Bits));
-            [MethodImpl(Inline)]
             public static v256 mm256_srli_epi16(v256 a, [ConstantExpected] int imm8) =>
                 new v256(Net.ShiftRightLogical(a.Bits.AsUInt16(), (byte)imm8).AsUInt32());
             [MethodImpl(Inline)] public static v256 mm256_xor_si256(v256 a, v256 b) => new v256(Net.Xor(a.Bits, b.Bits));
@@ -137,9 +128,6 @@ namespace Unity.Burst.Intrinsics
             public static v256 mm256_max_epu16(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_min_epu16(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_or_si256(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
-            public static v256 mm256_permutevar8x32_epi32(v256 a, v256 idx) => throw new System.PlatformNotSupportedException();
-            public static v256 mm256_sllv_epi32(v256 a, v256 count) => throw new System.PlatformNotSupportedException();
-            public static v256 mm256_srlv_epi32(v256 a, v256 count) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_srli_epi16(v256 a, int imm8) => throw new System.PlatformNotSupportedException();
             public static v256 mm256_xor_si256(v256 a, v256 b) => throw new System.PlatformNotSupportedException();
 #endif

@@ -41,9 +41,6 @@ namespace FastPoints.Queries
 
         public void Search(int block, int first, int count, ulong* scratch, ref HitHeap hits)
         {
-            int before = first % EightBoxes.Count;
-            first -= before;
-            count += before;
             int stride = (count + EightBoxes.Count - 1) & -EightBoxes.Count;
             if (Positions.Words != m_words || block != m_block.Index)
                 Begin(block, hits.Limit);
@@ -51,7 +48,7 @@ namespace FastPoints.Queries
             {
                 for (int axis = 0; axis < 3; axis++)
                     Positions.UnpackWide(block, axis, first, count, scratch + axis * stride);
-                for (int i = before; i < count; i++)
+                for (int i = 0; i < count; i++)
                 {
                     var position = new Grid3((long)scratch[i], (long)scratch[stride + i], (long)scratch[2 * stride + i]);
                     Test(position - m_block.Min, first + i, ref hits);
@@ -62,7 +59,7 @@ namespace FastPoints.Queries
             Positions.UnpackOffsets(block, first, count, x, stride);
             for (int i = 0; i < count; i += EightBoxes.Count)
             {
-                uint held = 0xFFu >> math.max(0, i + EightBoxes.Count - count) & 0xFFu << math.max(0, before - i);
+                uint held = 0xFFu >> math.max(0, i + EightBoxes.Count - count);
                 if (Filter.IsUsed)
                     held &= (uint)Filter.MayHold(x + i, y + i, z + i);
                 for (; held != 0; held &= held - 1)

@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using Unity.Burst.Intrinsics;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 
@@ -50,49 +49,9 @@ namespace FastPoints.Store
             BlockCodec.UnpackWide(words, minimum, first, count, width, values);
         }
 
-        // Of three columns of up to 32 bits, from the block's smallest values and from a multiple of eight on. Those of a column
-        // begin a stride after those before; what follows them up to the next multiple of eight is overwritten.
+        // Of three columns of up to 32 bits, from the block's smallest values; those of a column begin a stride after those
+        // before. Word by word, as BlockCodec.OffsetAt, for ARMv7.
         public void UnpackOffsets(int block, int first, int count, uint* offsets, int stride)
-        {
-            if (X86.Avx2.IsAvx2Supported)
-            {
-                // Eight offsets begin with a byte, and end in the 32 bytes that are read.
-                byte* end = (byte*)(Packed(block, 2) + PlaneShape.WordsOf(first + count, WidthOf(block, 2)));
-                if (end + 32 > Words + Descriptor(BlockCount - 1)[0])
-                {
-                    UnpackOffsetsPlain(block, first, count, offsets, stride);
-                    return;
-                }
-                int* lanes = stackalloc int[8];
-                for (int lane = 0; lane < 8; lane++)
-                    lanes[lane] = lane;
-                v256 lane8 = X86.Avx.mm256_loadu_si256(lanes), one = X86.Avx.mm256_set1_epi32(1);
-                byte* words = (byte*)(Words + Descriptor(block)[0]);
-                for (int column = 0; column < 3; column++, offsets += stride)
-                {
-                    int width = WidthOf(block, column);
-                    var bits = X86.Avx2.mm256_madd_epi16(lane8, X86.Avx.mm256_set1_epi32(width));
-                    var low = X86.Avx2.mm256_srli_epi16(bits, 5);
-                    var high = X86.Avx2.mm256_add_epi32(low, one);
-                    var right = X86.Avx.mm256_and_ps(bits, X86.Avx.mm256_set1_epi32(31));
-                    var left = X86.Avx2.mm256_sub_epi16(X86.Avx.mm256_set1_epi32(32), right);
-                    var mask = X86.Avx.mm256_set1_epi32((int)((1L << width) - 1));
-                    for (int i = 0; i < count; i += 8)
-                    {
-                        var eight = X86.Avx.mm256_loadu_si256(words + ((first + i) >> 3) * width);
-                        var lows = X86.Avx2.mm256_srlv_epi32(X86.Avx2.mm256_permutevar8x32_epi32(eight, low), right);
-                        var highs = X86.Avx2.mm256_sllv_epi32(X86.Avx2.mm256_permutevar8x32_epi32(eight, high), left);
-                        X86.Avx.mm256_storeu_si256(offsets + i, X86.Avx.mm256_and_ps(mask, X86.Avx2.mm256_or_si256(lows, highs)));
-                    }
-                    words += PlaneShape.WordsOf(PointsOf(block), width) * sizeof(uint);
-                }
-                return;
-            }
-            UnpackOffsetsPlain(block, first, count, offsets, stride);
-        }
-
-        // The same without intrinsics; word by word, as BlockCodec.OffsetAt, for ARMv7.
-        internal void UnpackOffsetsPlain(int block, int first, int count, uint* offsets, int stride)
         {
             uint* words = Words + Descriptor(block)[0];
             for (int column = 0; column < 3; column++, offsets += stride)

@@ -46,46 +46,6 @@ namespace FastPoints.Tests.Store
             }
         }
 
-        [Test]
-        public void UnpackOffsets_EveryWidth_AreTheValuesWithAndWithoutIntrinsics([Values(1, 77, 128)] int points)
-        {
-            var shape = new PlaneShape(3, 7);
-            var random = new Random(12);
-            uint* plane = stackalloc uint[4096], offsets = stackalloc uint[3 * 128], plain = stackalloc uint[3 * 128];
-            ulong* values = stackalloc ulong[3 * PlaneShape.MaxPointsPerBlock], bounds = stackalloc ulong[6];
-            for (int width = 0; width < 32; width++)
-            {
-                // The last block is never read eight at a time.
-                var writer = new BlockWriter(plane, shape, 0, 2 * shape.DescriptorWords);
-                for (int block = 0; block < 2; block++)
-                {
-                    for (int c = 0; c < 3; c++)
-                    {
-                        uint mask = (1u << (width + 5 * c) % 32) - 1;
-                        for (int i = 0; i < points; i++)
-                            BlockWriter.WideOf(values, c)[i] = (1UL << 40) + (random.NextUInt() & mask);
-                    }
-                    writer.Write(values, points, bounds, bounds + 3);
-                }
-                writer.End();
-                var view = new PlaneView(plane, shape, 2);
-                for (int block = 0; block < 2; block++)
-                    for (int first = 0; first < points; first += 8)
-                    {
-                        int count = random.NextInt(1, points - first + 1);
-                        view.UnpackOffsets(block, first, count, offsets, 128);
-                        view.UnpackOffsetsPlain(block, first, count, plain, 128);
-                        for (int c = 0; c < 3; c++)
-                            for (int i = 0; i < count; i++)
-                            {
-                                Assert.That(offsets[c * 128 + i], Is.EqualTo(plain[c * 128 + i]));
-                                Assert.That(offsets[c * 128 + i] + view.MinimumOf(block, c),
-                                    Is.EqualTo(view.ValueAt(block, c, first + i)));
-                            }
-                    }
-            }
-        }
-
         static bool IsSound(uint* plane, long length, PlaneShape shape, int blocks)
         {
             long word = (long)blocks * shape.DescriptorWords;
