@@ -21,27 +21,13 @@ public sealed class CacheVerb : Verb
         var cache = RangeCache.Current;
         if (parsed.GetValue(m_clear))
             cache.Clear();
-        int ranges = CountRanges(cache.Folder);
         run.WriteKeys = json =>
         {
-            json.WriteInteger("entries", ranges);
+            json.WriteInteger("entries", cache.Count);
             json.WriteInteger("bytes", cache.Bytes);
             json.WriteInteger("limitBytes", RemoteAccess.CacheBytes);
         };
-        run.Out.WriteLine(cache.Folder + ": " + NumberFormat.Count(ranges, "range") + ", " + NumberFormat.Bytes(cache.Bytes)
+        run.Out.WriteLine(cache.Folder + ": " + NumberFormat.Count(cache.Count, "range") + ", " + NumberFormat.Bytes(cache.Bytes)
             + " of " + NumberFormat.Bytes(RemoteAccess.CacheBytes));
-    }
-
-    static int CountRanges(string folder)
-    {
-        int count = 0;
-        foreach (string path in Directory.Exists(folder) ? Directory.GetFiles(folder, "*" + RangeCache.Extension) : [])
-        {
-            if (!RangeCacheFile.TryOpen(path, out var segment))
-                continue;
-            segment.Scan((_, _, _, _) => count++);
-            segment.Close();
-        }
-        return count;
     }
 }

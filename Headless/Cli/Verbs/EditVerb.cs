@@ -87,6 +87,7 @@ public sealed class EditVerb : Verb
     {
         var operation = new EditOperation
         {
+            CloudId = reader.Manifest.CloudId,
             Action = parsed.GetValue(m_delete) ? EditAction.Delete : parsed.GetValue(m_hide) ? EditAction.Hide
                 : parsed.GetValue(m_colour) != null ? EditAction.Color : EditAction.Classify,
         };

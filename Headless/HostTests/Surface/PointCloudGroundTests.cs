@@ -84,11 +84,14 @@ public sealed class PointCloudGroundTests : ScratchTests
         Put(0);
         Assert.That(Filters(), Is.Not.Empty.And.All.EqualTo(CollisionFilter.Default));
         var ground = m_entities.GetComponentData<PointCloudGround>(m_cloud);
-        ground.Filter = new CollisionFilter { BelongsTo = 4, CollidesWith = 3, GroupIndex = -7 };
-        m_entities.SetComponentData(m_cloud, ground);
-        Steps(1);
-        Put(0);
-        Assert.That(Filters(), Is.Not.Empty.And.All.EqualTo(ground.Filter));
+        foreach (var filter in new[] { new() { BelongsTo = 4, CollidesWith = 3, GroupIndex = -7 }, default(CollisionFilter) })
+        {
+            ground.Filter = filter;
+            m_entities.SetComponentData(m_cloud, ground);
+            Steps(1);
+            Put(0);
+            Assert.That(Filters(), Is.Not.Empty.And.All.EqualTo(filter.Equals(default) ? CollisionFilter.Default : filter));
+        }
     }
 
     unsafe List<(float3 A, float3 B, float3 C)> Triangles()

@@ -18,7 +18,7 @@ namespace FastPoints.Surface
 {
     /// <summary>Ground and walls of a converted cloud for com.unity.physics, near entities with <see cref="Followed"/>: on the
     /// entity of a cloud, beside its PointCloudFile. Bodies come and go as the colliders of PointCloudCollider do; a cloud that
-    /// is turned or scaled is made anew. Begin with <see cref="Default"/>.</summary>
+    /// is turned or scaled, or has another filter, is made anew. Begin with <see cref="Default"/>.</summary>
     public struct PointCloudGround : IComponentData
     {
         /// <summary>What moves, with a LocalToWorld: there are bodies around it, and nowhere else.</summary>
@@ -32,7 +32,7 @@ namespace FastPoints.Surface
         public int MaxTriangles;
         public int CacheMegabytes;
 
-        /// <summary>Which bodies its bodies collide with, and which queries find them.</summary>
+        /// <summary>Which bodies its bodies collide with, and which queries find them; all of them if nothing is set.</summary>
         public CollisionFilter Filter;
 
         /// <summary>Time of the main thread in each step of physics, in ms, while cells are made.</summary>
@@ -195,11 +195,14 @@ namespace FastPoints.Surface
 
         public BodyColliders(in OpenedSurface opened, in PointCloudGround made, in UnityLocalSpace space, in double4x4 toWorld,
             MakeGroundSystem system) : base(opened, GridOf(made.VoxelSize, made.HoleSize), made.HiddenClasses, space) =>
-            (m_entities, m_system, m_linear, m_filter) = (system.EntityManager, system, LinearOf(toWorld), made.Filter);
+            (m_entities, m_system, m_linear, m_filter) = (system.EntityManager, system, LinearOf(toWorld), FilterOf(made));
 
         public bool IsMadeBy(in PointCloudGround made, in UnityLocalSpace space, in double4x4 toWorld) =>
             IsMadeBy(GridOf(made.VoxelSize, made.HoleSize), made.HiddenClasses, space) && m_linear.Equals(LinearOf(toWorld)) &&
-            m_filter.Equals(made.Filter);
+            m_filter.Equals(FilterOf(made));
+
+        static CollisionFilter FilterOf(in PointCloudGround made) =>
+            made.Filter.Equals(default) ? CollisionFilter.Default : made.Filter;
 
         /// <summary>Why bodies would have gaps; null if they would not.</summary>
         public static string FindProblem(in PointCloudGround made, in double4x4 toWorld)

@@ -71,6 +71,7 @@ namespace FastPoints.Export
                 using var folder = CloudFolder.Open(cloud);
                 return folder.Manifest;
             }, read => manifest = read));
+            operation.CloudId = manifest.CloudId;
             if (choose(operation, manifest.Grid) is string problem)
                 throw new PointCloudException(FailureCode.Unsupported, cloud, -1, problem);
             yield return JobStep.Of(EditCloud.Run(cloud, operation, null));

@@ -9,7 +9,7 @@ namespace FastPoints
     // segments that were used longest ago are deleted when there are too many bytes. Any thread; it waits for the disk.
     internal sealed class RangeCache
     {
-        public const string Extension = ".ranges";
+        const string Extension = ".ranges";
         const long MaxSegmentBytes = 32 << 20;
         const int MinSegments = 8;
         const int MaxOverlaps = 8;
@@ -75,6 +75,20 @@ namespace FastPoints
             {
                 lock (m_lock)
                     return Sum();
+            }
+        }
+
+        public int Count
+        {
+            get
+            {
+                lock (m_lock)
+                {
+                    int count = 0;
+                    foreach (var entries in m_entries.Values)
+                        count += entries.Count;
+                    return count;
+                }
             }
         }
 

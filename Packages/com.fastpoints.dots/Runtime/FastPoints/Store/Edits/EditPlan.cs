@@ -120,7 +120,7 @@ namespace FastPoints.Store
         public static string FindProblem(EditOperation operation, CloudManifest manifest)
         {
             if (operation.CloudId is ulong id && id != manifest.CloudId)
-                return "the edit is of another conversion of this cloud";
+                return "the edit is of another conversion of this cloud, or of a preview";
             foreach (string name in NamesOf(operation))
                 if (AttributeNames.AxisOf(name) < 0 && !manifest.Attributes.Has(name))
                     return "the cloud has no " + name;
