@@ -109,7 +109,7 @@ namespace FastPoints.Queries
 
         public void Execute()
         {
-            if (FindRunsJob.IsAny(IsDamaged))
+            if (FindRunsJob.IsAny(IsDamaged) || Tree.LeafCount == 0)
                 return;
             if (Tree.LeafCount <= MaxOrdered)
             {
